@@ -1,0 +1,1 @@
+//! Lateral aircraft dynamics: the linear model from stability derivatives, a catalog, and the names of the modes.

@@ -1,0 +1,1 @@
+//! Least-squares identification of noncausal composite FIR/IIR models.

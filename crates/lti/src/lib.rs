@@ -1,0 +1,1 @@
+//! Linear time-invariant systems: state space in continuous and discrete time, responses, poles, zeros, modes and transmissibilities.

@@ -1,0 +1,1 @@
+//! Polynomials, rational functions and polynomial matrices over any ring, and the multiset of roots with multiplicities.

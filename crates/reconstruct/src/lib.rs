@@ -1,0 +1,1 @@
+//! Reconstruction of a system from sensor records alone, through pairs of transmissibilities.

@@ -1,0 +1,1 @@
+//! Tables and figures as plain data, rendered to CSV, JSON, Markdown, SVG, PNG and HTML.

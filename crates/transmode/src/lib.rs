@@ -1,0 +1,1 @@
+//! From sensor records to named modes: the program.
