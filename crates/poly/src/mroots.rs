@@ -1,0 +1,188 @@
+//! The roots of a polynomial as a multiset, each with its condition number, residual and error estimate.
+
+mod conjugate;
+mod simple;
+#[cfg(test)]
+mod tests;
+
+use crate::aberth::ScaledPoly;
+use crate::{Poly, PolyError, Ring};
+use num_complex::Complex;
+
+/// Whether roots may be merged into multiple ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Multiplicities {
+    /// Merge roots where a polynomial with multiple roots explains the coefficients within their error.
+    #[default]
+    Detect,
+    /// Every root is simple, except zero: return the roots of the coefficients exactly as given.
+    AllSimple,
+}
+
+/// Options of [`mroots()`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct MrootsOptions {
+    /// Whether roots may be merged; by default they may.
+    pub multiplicities: Multiplicities,
+    /// Relative error of the coefficients, against the Newton polygon's hull, up to which a polynomial with
+    /// multiple roots counts as the one that was meant. Default: 4 times the machine epsilon, a few roundings.
+    /// Raise it for measured coefficients.
+    pub coefficient_error: f64,
+    /// Leading coefficients of modulus at most this many times the largest are dropped. Default: 0, none.
+    pub vanishing_leading: f64,
+    /// Sweeps over all roots. Default: 500; about 20 are usual, slow convergence needs a multiple root.
+    pub maximum_iterations: usize,
+}
+
+impl Default for MrootsOptions {
+    fn default() -> Self {
+        Self {
+            multiplicities: Multiplicities::Detect,
+            coefficient_error: 4.0 * f64::EPSILON,
+            vanishing_leading: 0.0,
+            maximum_iterations: 500,
+        }
+    }
+}
+
+/// One distinct root.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Root {
+    /// Where it is.
+    pub value: Complex<f64>,
+    /// How often it counts.
+    pub multiplicity: usize,
+    /// `|p(z)| / sum |c_k| |z|^k`: the smallest relative change of the coefficients that makes `value` a root.
+    pub residual: f64,
+    /// Largest relative change of the root per relative change of the coefficients, to first order.
+    ///
+    /// Simple root: `sum |c_k| |z|^k / (|z| |p'(z)|)`. Multiple root: the same for changes that keep the
+    /// multiplicities (Zeng 2005). A root at zero by vanishing coefficients has condition 0.
+    pub condition: f64,
+    /// Estimated distance to the exact root of the coefficients as given.
+    ///
+    /// Simple root: the radius `n |p| / |p'|` of a disc that holds a root, and the rounding of `value`.
+    /// Multiple root: condition times the backward error of the structure.
+    pub error_estimate: f64,
+}
+
+/// How the roots were decided on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Method {
+    /// All nonzero roots are simple, each refined by itself.
+    Simple,
+    /// Some roots are multiple, all refined together with the multiplicities held (Zeng 2005).
+    Pejorative,
+}
+
+/// The multiset of roots, with its numerical doubt; made by [`mroots()`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Mroots {
+    /// Distinct roots, by ascending real part, then modulus of the imaginary part, positive imaginary part first.
+    pub roots: Vec<Root>,
+    /// How the roots were decided on.
+    pub method: Method,
+    /// Largest change of a coefficient, relative to the Newton polygon's hull, that makes `roots` exact.
+    pub backward_error: f64,
+    /// Sweeps over all roots.
+    pub iterations: usize,
+    /// Whether every root met its stopping test.
+    pub converged: bool,
+    /// Number of leading coefficients dropped as vanishing.
+    pub vanished_leading: usize,
+}
+
+impl Mroots {
+    /// Every root as often as its multiplicity says, in the order of [`Mroots::roots`].
+    pub fn values(&self) -> Vec<Complex<f64>> {
+        self.roots
+            .iter()
+            .flat_map(|root| std::iter::repeat_n(root.value, root.multiplicity))
+            .collect()
+    }
+}
+
+/// The roots of `p` with multiplicities.
+///
+/// Coefficients are real or complex. Real coefficients give exactly real roots and exactly conjugate pairs.
+/// A constant has no roots.
+///
+/// Method: zeros at 0 are taken off exactly; Ehrlich-Aberth iteration from the Newton polygon, scaled by
+/// powers of two; refinement in doubled precision.
+///
+/// # Errors
+/// [`PolyError::ZeroPolynomial`], [`PolyError::NonFiniteCoefficient`], [`PolyError::InvalidTolerance`], and
+/// [`PolyError::RootOutOfRange`] if a root's modulus is beyond 2^1020 or below 2^-1020.
+///
+/// # Example
+/// ```
+/// use poly::{Complex, MrootsOptions, Poly, mroots};
+///
+/// // x^5 - 2 x^4 + 5 x^3 = x^3 (x - 1 - 2j) (x - 1 + 2j)
+/// let p = Poly::from_descending(&[1.0, -2.0, 5.0, 0.0, 0.0, 0.0]);
+/// let roots = mroots(&p, &MrootsOptions::default())?;
+/// assert_eq!(roots.roots.len(), 3);
+/// assert_eq!(roots.roots[0].value, Complex::new(0.0, 0.0));
+/// assert_eq!(roots.roots[0].multiplicity, 3);
+/// assert_eq!(roots.roots[1].value, Complex::new(1.0, 2.0));
+/// assert_eq!(roots.roots[2].value, Complex::new(1.0, -2.0));
+/// # Ok::<(), poly::PolyError>(())
+/// ```
+pub fn mroots<T>(p: &Poly<T>, options: &MrootsOptions) -> Result<Mroots, PolyError>
+where
+    T: Ring + Into<Complex<f64>>,
+{
+    check_tolerance("coefficient_error", options.coefficient_error)?;
+    check_tolerance("vanishing_leading", options.vanishing_leading)?;
+    let given: Poly<Complex<f64>> = p.map(|c| c.clone().into());
+    for (degree, &value) in given.coefficients().iter().enumerate() {
+        if !(value.re.is_finite() && value.im.is_finite()) {
+            return Err(PolyError::NonFiniteCoefficient { degree, value });
+        }
+    }
+    let trimmed = if options.vanishing_leading > 0.0 {
+        given.trimmed(options.vanishing_leading)
+    } else {
+        given.clone()
+    };
+    let vanished_leading = given.coefficients().len() - trimmed.coefficients().len();
+    let coefficients = trimmed.into_coefficients();
+    let at_zero = coefficients
+        .iter()
+        .position(|&c| c != Complex::new(0.0, 0.0))
+        .ok_or(PolyError::ZeroPolynomial)?;
+    let coefficients = coefficients[at_zero..].to_vec();
+    let real = coefficients.iter().all(|c| c.im == 0.0);
+
+    let mut scaled = ScaledPoly::new(coefficients);
+    let mut found = simple::simple_roots(&mut scaled, real, options.maximum_iterations)?;
+    if at_zero > 0 {
+        found.roots.push(Root {
+            value: Complex::new(0.0, 0.0),
+            multiplicity: at_zero,
+            residual: 0.0,
+            condition: 0.0,
+            error_estimate: 0.0,
+        });
+    }
+    found.roots.sort_by(|a, b| order(a.value, b.value));
+    Ok(Mroots { vanished_leading, ..found })
+}
+
+pub(crate) fn check_tolerance(name: &'static str, value: f64) -> Result<(), PolyError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(PolyError::InvalidTolerance { name, value })
+    }
+}
+
+/// By real part, then modulus of the imaginary part, then positive imaginary part first.
+pub(crate) fn order(a: Complex<f64>, b: Complex<f64>) -> std::cmp::Ordering {
+    a.re.total_cmp(&b.re).then(a.im.abs().total_cmp(&b.im.abs())).then(b.im.total_cmp(&a.im))
+}
