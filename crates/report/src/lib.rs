@@ -18,8 +18,11 @@ mod csv;
 mod document;
 mod error;
 mod figure;
+mod font;
 mod number;
+pub mod png;
 mod series;
+pub mod svg;
 mod table;
 
 pub use document::{Block, CalloutKind, Document, ListKind};

@@ -1,0 +1,53 @@
+//! The bundled font: how wide a text is, before anything is drawn.
+//!
+//! DejaVu Sans 2.37 (licence beside it in `assets`) has the Greek letters, superscripts and signs of our figures. It is wider
+//! than the usual replacements (Arial, Helvetica, Verdana), so that what fits with it also fits where a reader lacks it.
+
+use skrifa::MetadataProvider;
+use skrifa::instance::{LocationRef, Size};
+
+/// The font file, for the rasteriser.
+pub(crate) const DATA: &[u8] = include_bytes!("../assets/DejaVuSans.ttf");
+
+/// Families named in pictures, the bundled one first.
+pub(crate) const FAMILIES: &str = "DejaVu Sans, Verdana, Arial, Helvetica, sans-serif";
+
+/// Width of one line of text in pixels at this font size.
+pub(crate) fn width(text: &str, size_px: u32) -> f64 {
+    f64::from(size_px) * text.chars().map(advance_em).sum::<f64>()
+}
+
+/// Splits a text at spaces into lines no wider than `limit_px`; a single wider word stays whole.
+pub(crate) fn wrap(text: &str, size_px: u32, limit_px: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line)
+                if width(line, size_px) + width(" ", size_px) + width(word, size_px)
+                    <= limit_px =>
+            {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// Advance of one character in units of the font size.
+fn advance_em(character: char) -> f64 {
+    thread_local! {
+        static FONT: Option<skrifa::FontRef<'static>> = skrifa::FontRef::new(DATA).ok();
+    }
+    const UNKNOWN: f64 = 0.6; // The box that stands for a missing glyph.
+    FONT.with(|font| {
+        let Some(font) = font else { return UNKNOWN };
+        let glyph = font.charmap().map(character).unwrap_or_default();
+        let metrics = font.glyph_metrics(Size::new(1.0), LocationRef::default());
+        metrics.advance_width(glyph).map_or(UNKNOWN, f64::from)
+    })
+}
+
+#[cfg(test)]
+mod tests;
