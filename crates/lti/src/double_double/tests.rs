@@ -1,0 +1,1 @@
+//! Tests of `double_double.rs`.

@@ -1,0 +1,1 @@
+//! Tests of `inverse_zoh.rs`.
