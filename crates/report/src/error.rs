@@ -114,4 +114,10 @@ pub enum ReportError {
         /// What the rasteriser said.
         reason: String,
     },
+    /// A document that cannot be written as JSON.
+    #[error("json: {reason}")]
+    Json {
+        /// What the writer said.
+        reason: String,
+    },
 }

@@ -158,8 +158,13 @@ impl<'a> Cell<'a> {
             frame.x.stretch(frame.width / unit_px);
             frame.y.stretch(frame.height / unit_px);
         }
-        self.x_ticks = Ticks::new(frame.x, frame.width, Direction::Horizontal);
-        self.y_ticks = Ticks::new(frame.y, frame.height, Direction::Vertical);
+        (self.x_ticks, self.y_ticks) = match self.panel.aspect {
+            Aspect::Equal => Ticks::equal(frame.x, frame.y, frame.width, frame.height),
+            Aspect::Free => (
+                Ticks::new(frame.x, frame.width, Direction::Horizontal),
+                Ticks::new(frame.y, frame.height, Direction::Vertical),
+            ),
+        };
         self.y_label = font::wrap(&self.panel.y.label, LABEL_PX, height);
     }
 

@@ -148,6 +148,18 @@ fn superscript(digits: &str) -> String {
 }
 
 impl Ticks {
+    /// Ticks at the same distance on both axes of this size: the coarser of the two.
+    pub(super) fn equal(x: View, y: View, width_px: f64, height_px: f64) -> (Self, Self) {
+        let ticks = (
+            Self::new(x, width_px, Direction::Horizontal),
+            Self::new(y, height_px, Direction::Vertical),
+        );
+        let step = ticks.0.step.max(ticks.1.step);
+        let exponent = (step.log10() + 1e-9).floor();
+        let coarser = |view: View| Self::major(view, step, linear_style(view, exponent));
+        (coarser(x), coarser(y))
+    }
+
     /// As many ticks as have room on an axis of this length.
     pub(super) fn new(view: View, length_px: f64, direction: Direction) -> Self {
         match view.scale {
