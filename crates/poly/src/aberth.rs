@@ -111,8 +111,17 @@ impl ScaledPoly {
         self.coefficients.len() - 1
     }
 
-    pub(crate) fn polygon(&self) -> &NewtonPolygon {
-        &self.polygon
+    /// The Newton polygon's heights for `p(2^e y)` at each degree, and the exponent e that makes the first and the last
+    /// about equal.
+    pub(crate) fn hull(&self) -> (Vec<f64>, i64) {
+        let degree = self.degree();
+        let heights: Vec<f64> = (0..=degree).map(|k| self.polygon.height(k)).collect();
+        let exponent =
+            if degree == 0 { 0 } else { rounded((heights[0] - heights[degree]) / float(degree)) };
+        #[expect(clippy::cast_precision_loss, reason = "an exponent of a float times a degree")]
+        let scaled =
+            heights.iter().enumerate().map(|(k, h)| h + exponent as f64 * float(k)).collect();
+        (scaled, exponent)
     }
 
     /// The power of two nearest to the modulus of `z`.

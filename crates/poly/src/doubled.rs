@@ -89,6 +89,10 @@ impl DoubledComplex {
         }
     }
 
+    pub(crate) fn conj(self) -> Self {
+        Self { re: self.re, im: self.im.neg() }
+    }
+
     pub(crate) fn value(self) -> Complex<f64> {
         Complex::new(self.re.value(), self.im.value())
     }

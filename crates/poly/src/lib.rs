@@ -41,6 +41,7 @@ mod cancellation;
 mod doubled;
 mod error;
 mod evaluation;
+mod least_squares;
 mod matrix;
 mod mroots;
 mod newton_polygon;

@@ -1,13 +1,16 @@
 //! The roots of a polynomial as a multiset, each with its condition number, residual and error estimate.
 
 mod conjugate;
+mod pejorative;
 mod simple;
+mod structure;
 #[cfg(test)]
 mod tests;
 
 use crate::aberth::ScaledPoly;
 use crate::{Poly, PolyError, Ring};
 use num_complex::Complex;
+use pejorative::{Multiple, Target};
 
 /// Whether roots may be merged into multiple ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -161,6 +164,7 @@ where
 
     let mut scaled = ScaledPoly::new(coefficients);
     let mut found = simple::simple_roots(&mut scaled, real, options.maximum_iterations)?;
+    refine_multiple(&mut scaled, real, options, &mut found);
     if at_zero > 0 {
         found.roots.push(Root {
             value: Complex::new(0.0, 0.0),
@@ -172,6 +176,45 @@ where
     }
     found.roots.sort_by(|a, b| order(a.value, b.value));
     Ok(Mroots { vanished_leading, ..found })
+}
+
+/// Replaces simple roots by multiple ones where the coefficients allow it; fills in the backward error.
+fn refine_multiple(p: &mut ScaledPoly, real: bool, options: &MrootsOptions, found: &mut Mroots) {
+    let Some(target) = Target::new(p, real) else {
+        found.backward_error = found.roots.iter().map(|root| root.residual).fold(0.0, f64::max);
+        return;
+    };
+    let fit = match options.multiplicities {
+        Multiplicities::Detect => structure::multiple_structure(&target, &found.roots, options),
+        Multiplicities::AllSimple => None,
+    };
+    if let Some(fit) = fit {
+        found.method = Method::Pejorative;
+        found.converged = true;
+        found.iterations += fit.steps;
+        found.roots = fit
+            .roots
+            .iter()
+            .zip(&fit.conditions)
+            .map(|(root, &condition)| {
+                let simple = simple::describe(p, root.value);
+                let modulus = root.value.norm();
+                Root {
+                    value: root.value,
+                    multiplicity: root.multiplicity,
+                    residual: simple.residual,
+                    condition,
+                    error_estimate: modulus * (condition * fit.largest_error + f64::EPSILON),
+                }
+            })
+            .collect();
+    }
+    let roots: Vec<Multiple> = found
+        .roots
+        .iter()
+        .map(|root| Multiple { value: root.value, multiplicity: root.multiplicity })
+        .collect();
+    found.backward_error = target.backward_error(&roots);
 }
 
 pub(crate) fn check_tolerance(name: &'static str, value: f64) -> Result<(), PolyError> {

@@ -60,7 +60,7 @@ fn polish(p: &mut ScaledPoly, z: Complex<f64>, real: bool) -> Complex<f64> {
 }
 
 /// Residual, condition and error estimate of a simple root.
-fn describe(p: &mut ScaledPoly, z: Complex<f64>) -> Root {
+pub(crate) fn describe(p: &mut ScaledPoly, z: Complex<f64>) -> Root {
     let exponent = ScaledPoly::exponent(z);
     let y = scale_by_power(z, -exponent);
     let at = p.evaluate(y, exponent, Precision::Doubled);

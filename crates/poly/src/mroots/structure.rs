@@ -1,0 +1,120 @@
+//! Which roots are one multiple root: hypotheses from clusters, judged by the backward error.
+//!
+//! Simple roots of perturbed coefficients surround a multiple root at about the distance by which each of them is
+//! uncertain. So roots are linked in the order of `|z_i - z_j| / (u_i + u_j)`, with `u` the first-order
+//! uncertainty, and each level of the linkage is a hypothesis. The one with the fewest distinct roots is taken whose
+//! nearest polynomial explains the coefficients within their error, and whose clusters stand apart.
+
+use super::pejorative::{Fit, Multiple, Target};
+use super::{MrootsOptions, Root};
+use num_complex::Complex;
+
+type C = Complex<f64>;
+
+/// Roots further apart than this many uncertainties are not linked.
+const FARTHEST_LINK: f64 = 1e4;
+
+/// A cluster of m roots of diameter d, a gap g away from other roots, speaks for a multiple root if `(d/g)^m` is
+/// below this: the same coefficients with the cluster opened to the gap would be that much farther from the manifold.
+const ISOLATION: f64 = 0.01;
+
+/// The best structure with multiple roots, if there is one.
+pub(crate) fn multiple_structure(
+    target: &Target,
+    simple: &[Root],
+    options: &MrootsOptions,
+) -> Option<Fit> {
+    for links in linkage(simple, options.coefficient_error) {
+        let hypothesis = merge(simple, &links);
+        if !hypothesis.iter().all(|cluster| cluster.stands_apart) {
+            continue;
+        }
+        let start: Vec<Multiple> = hypothesis.iter().map(|cluster| cluster.root).collect();
+        if let Some(fit) = target.fit(&start)
+            && fit.mean_error <= options.coefficient_error
+        {
+            return Some(fit);
+        }
+    }
+    None
+}
+
+/// The clusters of each level of the linkage, as a label per root; fewest clusters first.
+fn linkage(roots: &[Root], coefficient_error: f64) -> Vec<Vec<usize>> {
+    let reach =
+        |root: &Root| root.condition * coefficient_error * root.value.norm() + root.error_estimate;
+    let mut links = Vec::new();
+    for (i, a) in roots.iter().enumerate() {
+        for (j, b) in roots.iter().enumerate().skip(i + 1) {
+            let distance = (a.value - b.value).norm() / (reach(a) + reach(b));
+            // An infinite condition number links everything near by.
+            if distance <= FARTHEST_LINK {
+                links.push((distance, i, j));
+            }
+        }
+    }
+    links.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut labels: Vec<usize> = (0..roots.len()).collect();
+    let mut levels = Vec::new();
+    for (k, &(distance, i, j)) in links.iter().enumerate() {
+        let (from, to) = (labels[i].max(labels[j]), labels[i].min(labels[j]));
+        for label in &mut labels {
+            if *label == from {
+                *label = to;
+            }
+        }
+        // Equal distances, as between conjugates, belong to one level.
+        let last_of_level = links.get(k + 1).is_none_or(|next| next.0 > distance * (1.0 + 1e-6));
+        if last_of_level && levels.last() != Some(&labels) {
+            levels.push(labels.clone());
+        }
+    }
+    levels.reverse();
+    levels
+}
+
+/// A cluster of simple roots taken as one.
+#[derive(Debug, Clone, Copy)]
+struct Cluster {
+    root: Multiple,
+    stands_apart: bool,
+}
+
+fn merge(roots: &[Root], labels: &[usize]) -> Vec<Cluster> {
+    let mut clusters = Vec::new();
+    for label in 0..roots.len() {
+        let members: Vec<C> =
+            (0..roots.len()).filter(|&k| labels[k] == label).map(|k| roots[k].value).collect();
+        if members.is_empty() {
+            continue;
+        }
+        let others = (0..roots.len()).filter(|&k| labels[k] != label).map(|k| roots[k].value);
+        clusters.push(cluster(&members, others));
+    }
+    clusters
+}
+
+fn cluster(members: &[C], others: impl Iterator<Item = C> + Clone) -> Cluster {
+    let multiplicity = members.len();
+    let count = u32::try_from(multiplicity).map_or(f64::INFINITY, f64::from);
+    // Shares are summed, so that nothing overflows; conjugates cancel exactly in pairs.
+    let mut value: C = members.iter().map(|z| z / count).sum();
+    if members.iter().map(|z| z.im).filter(|&im| im > 0.0).count()
+        == members.iter().map(|z| z.im).filter(|&im| im < 0.0).count()
+        && members.iter().all(|z| members.contains(&z.conj()))
+    {
+        value.im = 0.0;
+    }
+    let mut diameter = 0.0_f64;
+    let mut gap = members.iter().map(|z| z.norm()).fold(f64::INFINITY, f64::min);
+    for z in members {
+        for w in members {
+            diameter = diameter.max((z - w).norm());
+        }
+        for w in others.clone() {
+            gap = gap.min((z - w).norm());
+        }
+    }
+    let stands_apart = multiplicity == 1 || (diameter / gap).powf(count) <= ISOLATION;
+    Cluster { root: Multiple { value, multiplicity }, stands_apart }
+}
