@@ -1,5 +1,6 @@
 //! The roots of a polynomial as a multiset, each with its condition number, residual and error estimate.
 
+mod common_factor;
 mod conjugate;
 mod pejorative;
 mod simple;

@@ -82,6 +82,11 @@ impl Target {
         &self.coefficients
     }
 
+    /// Whether the coefficients are real.
+    pub(crate) fn is_real(&self) -> bool {
+        self.real
+    }
+
     /// The power of two that roots were divided by.
     pub(crate) fn exponent(&self) -> i64 {
         self.exponent
@@ -144,7 +149,7 @@ impl Target {
                 best = Some((size, unknowns.clone(), factor));
             } else {
                 failures += 1;
-                if failures > 3 {
+                if failures > 1 {
                     break;
                 }
             }

@@ -5,6 +5,7 @@
 //! uncertainty, and each level of the linkage is a hypothesis. The one with the fewest distinct roots is taken whose
 //! nearest polynomial explains the coefficients within their error, and whose clusters stand apart.
 
+use super::common_factor;
 use super::pejorative::{Fit, Multiple, Target};
 use super::{MrootsOptions, Root};
 use num_complex::Complex;
@@ -24,8 +25,33 @@ pub(crate) fn multiple_structure(
     simple: &[Root],
     options: &MrootsOptions,
 ) -> Option<Fit> {
-    for links in linkage(simple, options.coefficient_error) {
-        let hypothesis = merge(simple, &links);
+    let levels = linkage(simple, options.coefficient_error);
+    if levels.is_empty() {
+        return None;
+    }
+    let clustered = from_clusters(target, simple, &levels, options);
+    // Common factors answer for the rest: many multiple roots whose clusters overlap.
+    let few = |fit: &Fit| 2 * fit.roots.len() <= target.degree();
+    if clustered.as_ref().is_some_and(few) {
+        return clustered;
+    }
+    common_factor::hypotheses(target)
+        .iter()
+        .filter_map(|start| target.fit(start))
+        .filter(|fit| fit.mean_error <= options.coefficient_error)
+        .min_by_key(|fit| fit.roots.len())
+        .or(clustered)
+}
+
+/// The first level, fewest clusters first, whose clusters stand apart and whose fit is good enough.
+fn from_clusters(
+    target: &Target,
+    simple: &[Root],
+    levels: &[Vec<usize>],
+    options: &MrootsOptions,
+) -> Option<Fit> {
+    for links in levels {
+        let hypothesis = merge(simple, links);
         if !hypothesis.iter().all(|cluster| cluster.stands_apart) {
             continue;
         }
