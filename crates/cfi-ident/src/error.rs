@@ -80,6 +80,18 @@ pub enum FitError {
         /// Samples that a single segment needs for as many equations as parameters.
         needed: usize,
     },
+    /// A record is too short for a single equation of the model.
+    #[error(
+        "{samples} samples are too few for one equation with {orders}: at least {needed} are needed"
+    )]
+    TooShort {
+        /// Samples given.
+        samples: usize,
+        /// The model's orders.
+        orders: Orders,
+        /// Samples needed.
+        needed: usize,
+    },
     /// The pseudo input does not vary within any segment, so its shifted copies are all the same.
     #[error(
         "the pseudo input is constant (its first value is {value}): it must vary to tell h_i from one another"
@@ -113,6 +125,24 @@ pub enum FitError {
         value: f64,
         /// What is allowed.
         needed: &'static str,
+    },
+    /// Zeros or poles do not come in conjugate pairs, or the factor of degree l would split one.
+    #[error(
+        "{what} {value} stands without its conjugate: real coefficients need both in the same factor"
+    )]
+    Unpaired {
+        /// Zero or pole.
+        what: &'static str,
+        /// The one that stands alone.
+        value: nalgebra::Complex<f64>,
+    },
+    /// Fewer poles than the IIR factor is to hold.
+    #[error("the IIR factor is to hold {needed} poles where there are {found}")]
+    TooFewPoles {
+        /// Poles of the transmissibility.
+        found: usize,
+        /// Poles the factor is to hold.
+        needed: usize,
     },
     /// A matrix decomposition did not converge.
     #[error("the singular value decomposition of a {size} x {size} triangle did not converge")]

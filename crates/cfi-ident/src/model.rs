@@ -143,9 +143,13 @@ impl CfiModel {
     ///
     /// Source: paper eq. (42). Without the constant term it has l + r + d elements.
     pub fn theta(&self) -> Vec<f64> {
-        let low = self.structure.orders.iir() - self.structure.denominator_count();
-        let unknown = self.denominator[low..self.structure.orders.iir()].iter().copied();
-        unknown.chain(self.markov_parameters()).collect()
+        self.unknown_denominator().iter().copied().chain(self.markov_parameters()).collect()
+    }
+
+    /// c_1 .. c_(l-1), or c_0 .. c_(l-1) with the constant term.
+    pub(crate) fn unknown_denominator(&self) -> &[f64] {
+        let degree = self.structure.orders.iir();
+        &self.denominator[degree - self.structure.denominator_count()..degree]
     }
 
     /// The model's value at a point of the complex plane, for example `exp(j w T_s)`.

@@ -169,8 +169,12 @@ impl Structure {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Parameter {
     /// `c_i`, the coefficient of q^i in D(q).
+    ///
+    /// Source: paper eq. (43), the part `[c_1 .. c_(l-1)]` of the parameter vector.
     Denominator(usize),
     /// `h_i`, the Markov parameter of q^-i.
+    ///
+    /// Source: paper eq. (44), the part `[h_-d .. h_r]` of the parameter vector.
     Markov(isize),
 }
 

@@ -1,0 +1,4 @@
+//! Integration tests: what the public functions give for records and planted models.
+
+mod noise_free;
+mod records;
