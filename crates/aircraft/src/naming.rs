@@ -1,0 +1,313 @@
+//! Names of the lateral modes, from what moves and how fast.
+
+use std::fmt;
+
+use lti::{Continuous, StateSpace};
+use num_complex::Complex;
+
+use crate::shape::{Character, ModeShape};
+use crate::{AircraftError, assignment};
+
+/// The name of a lateral mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ModeName {
+    /// Real, fast: the roll rate settles.
+    RollSubsidence,
+    /// Real, slow: a coordinated turn tightens or opens. Often unstable.
+    Spiral,
+    /// Oscillation of sideslip against heading, the flight path almost straight.
+    DutchRoll,
+    /// Roll subsidence and spiral merged into a slow oscillation of bank angle and flight path, the lateral phugoid.
+    CoupledRollSpiral,
+    /// One of two real roots into which the Dutch roll has split: sideslip against heading without oscillation.
+    DutchRollRealRoot,
+    /// No name, and why.
+    Unnamed(WhyUnnamed),
+}
+
+/// Why a mode has no name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum WhyUnnamed {
+    /// Eigenvalues alone tell only a complete set apart: a pair and two real ones, or two pairs.
+    IncompleteSet {
+        /// Real eigenvalues found.
+        real: usize,
+        /// Complex pairs found.
+        pairs: usize,
+    },
+    /// Two eigenvalues are equal, and nothing else tells their modes apart.
+    EqualEigenvalues,
+    /// Another mode fits the name better, and nothing else fits this one.
+    BetterClaim,
+    /// The eigenvector has neither sideslip, roll, yaw nor bank.
+    NoLateralMotion,
+}
+
+impl fmt::Display for ModeName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::RollSubsidence => "roll subsidence",
+            Self::Spiral => "spiral",
+            Self::DutchRoll => "Dutch roll",
+            Self::CoupledRollSpiral => "coupled roll-spiral",
+            Self::DutchRollRealRoot => "Dutch roll, real root",
+            Self::Unnamed(_) => "unnamed",
+        })
+    }
+}
+
+/// An eigenvalue in continuous time and, where it is known, its eigenvector.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eigenpair {
+    /// Eigenvalue, rad/s.
+    pub eigenvalue: Complex<f64>,
+    /// Components of the eigenvector.
+    pub shape: Option<ModeShape>,
+}
+
+/// On what a name rests.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Evidence {
+    /// On the eigenvector.
+    Shape {
+        /// `|lambda beta| / (|lambda beta| + |r + lambda beta|)`: 1 where the flight path stays straight while the nose
+        /// swings, 0 where the aircraft turns without slipping.
+        slip_fraction: f64,
+        /// `|p| / (|p| + |r|)`: 1 for rolling without yawing, 0 for turning at a steady bank.
+        roll_fraction: f64,
+        /// `|phi| / |beta|`, if it is defined.
+        bank_to_sideslip: Option<f64>,
+        /// How well the shape agrees with the name, 0 to 1. At 1/2 and below the name rests on the other modes more than
+        /// on this one. Zero where there is no name.
+        agreement: f64,
+    },
+    /// On the pattern and the order of the eigenvalues alone.
+    EigenvaluePattern,
+    /// On nothing.
+    None,
+}
+
+/// A mode with its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct NamedMode {
+    /// The name.
+    pub name: ModeName,
+    /// Eigenvalue, rad/s; of a complex pair the one with the positive imaginary part.
+    pub eigenvalue: Complex<f64>,
+    /// What the name rests on.
+    pub evidence: Evidence,
+}
+
+/// Names lateral modes by their eigenvectors, or by their eigenvalues where a vector is missing.
+///
+/// With `lambda` the eigenvalue, `s = |lambda beta| / (|lambda beta| + |r + lambda beta|)` and `t = |p| / (|p| + |r|)`:
+/// `r + lambda beta` is the turn rate of the flight path, so that `s` is large where the nose swings about a straight path.
+/// Agreement of a mode with a name:
+///
+/// | name | kind | agreement |
+/// |---|---|---|
+/// | Dutch roll | pair | `s` |
+/// | coupled roll-spiral | pair | `1 - s` |
+/// | roll subsidence | real | `(1 - s) t` |
+/// | spiral | real | `(1 - s) (1 - t)` |
+/// | Dutch roll, real root | real | `s` |
+///
+/// A complete set of four eigenvalues gets the names with the largest sum among those that go together: Dutch roll with
+/// roll subsidence and spiral or with the coupled roll-spiral; two real Dutch-roll roots in place of a pair. In any other set each mode
+/// takes its best name, and the best claim to a name wins. Stability plays no part: an unstable spiral is a spiral.
+/// If any shape is missing, all names come from [`name_eigenvalues`].
+///
+/// A pair may be given by both members or by one. Modes come in the order in which they are given.
+///
+/// # Errors
+///
+/// An eigenvalue or a component that is not finite.
+///
+/// # Example
+///
+/// Two real modes of the same speed: one rolls, the other turns.
+///
+/// ```
+/// use aircraft::{Eigenpair, ModeName, ModeShape, name_modes};
+/// use num_complex::Complex;
+///
+/// let real = |value: f64| Complex::new(value, 0.0);
+/// let rolling = ModeShape::from_sensors(real(0.0), real(1.0), real(0.1));
+/// let turning = ModeShape::from_sensors(real(0.0), real(0.1), real(1.0));
+/// let modes = name_modes(&[
+///     Eigenpair { eigenvalue: real(-0.5), shape: Some(rolling) },
+///     Eigenpair { eigenvalue: real(-0.5), shape: Some(turning) },
+/// ])?;
+/// assert_eq!([modes[0].name, modes[1].name], [ModeName::RollSubsidence, ModeName::Spiral]);
+/// # Ok::<(), aircraft::AircraftError>(())
+/// ```
+pub fn name_modes(pairs: &[Eigenpair]) -> Result<Vec<NamedMode>, AircraftError> {
+    for pair in pairs {
+        check_finite("eigenvalue", pair.eigenvalue)?;
+        if pair.shape.is_some_and(|shape| !shape.is_finite()) {
+            return Err(AircraftError::NotFinite {
+                name: "a component of the mode shape",
+                value: f64::NAN,
+            });
+        }
+    }
+    let modes = one_of_each_pair(pairs);
+    let shapes: Option<Vec<Option<Character>>> =
+        modes.iter().map(|mode| mode.shape.map(|shape| shape.character(mode.eigenvalue))).collect();
+    let Some(characters) = shapes else {
+        return Ok(by_eigenvalue(&modes));
+    };
+    let kinds: Vec<bool> = modes.iter().map(|mode| is_oscillatory(mode.eigenvalue)).collect();
+    let names = assignment::by_shape(&kinds, &characters);
+    Ok(modes
+        .iter()
+        .zip(characters)
+        .zip(names)
+        .map(|((mode, character), (name, agreement))| NamedMode {
+            name,
+            eigenvalue: mode.eigenvalue,
+            evidence: character.map_or(Evidence::None, |character| Evidence::Shape {
+                slip_fraction: character.slip_fraction,
+                roll_fraction: character.roll_fraction,
+                bank_to_sideslip: character.bank_to_sideslip,
+                agreement,
+            }),
+        })
+        .collect())
+}
+
+/// Names lateral modes by their eigenvalues alone.
+///
+/// A pair and two real ones: the pair is the Dutch roll, the more negative real one the roll subsidence, the other the
+/// spiral. Two pairs: the faster one (larger modulus) is the Dutch roll, the other the coupled roll-spiral.
+/// No other set has names, nor have equal eigenvalues. The rule is a habit of aircraft, not a law: with eigenvectors at
+/// hand use [`name_modes`].
+///
+/// # Errors
+///
+/// An eigenvalue that is not finite.
+///
+/// # Example
+///
+/// ```
+/// use aircraft::name_eigenvalues;
+/// use num_complex::Complex;
+///
+/// let found = [Complex::new(-0.07, 1.69), Complex::new(-0.07, -1.69), Complex::new(-0.0016, 0.0), Complex::new(-0.546, 0.0)];
+/// let names: Vec<String> = name_eigenvalues(&found)?.iter().map(|mode| mode.name.to_string()).collect();
+/// assert_eq!(names, ["Dutch roll", "spiral", "roll subsidence"]);
+/// # Ok::<(), aircraft::AircraftError>(())
+/// ```
+pub fn name_eigenvalues(eigenvalues: &[Complex<f64>]) -> Result<Vec<NamedMode>, AircraftError> {
+    let pairs: Vec<Eigenpair> =
+        eigenvalues.iter().map(|&eigenvalue| Eigenpair { eigenvalue, shape: None }).collect();
+    name_modes(&pairs)
+}
+
+/// Names the modes of a lateral model whose states are sideslip, roll rate, yaw rate and bank angle.
+///
+/// # Errors
+///
+/// Another number of states, or eigenvalues that could not be found.
+///
+/// # Example
+///
+/// ```
+/// use aircraft::{LateralModel, LateralState, ModeName, SideForceScaling, Surface, catalog, name_system_modes};
+///
+/// let model = LateralModel::new(catalog::PAPER_AIRCRAFT.derivatives, catalog::PAPER_AIRCRAFT.inertia)?;
+/// let system = model.state_space(&Surface::ALL, SideForceScaling::AsPrinted, &LateralState::ALL)?;
+/// let modes = name_system_modes(&system)?;
+/// let dutch_roll = modes.iter().find(|mode| mode.name == ModeName::DutchRoll);
+/// assert!(dutch_roll.is_some_and(|mode| (mode.eigenvalue.im - 1.6917).abs() < 1e-4));
+/// # Ok::<(), aircraft::AircraftError>(())
+/// ```
+pub fn name_system_modes(system: &StateSpace<Continuous>) -> Result<Vec<NamedMode>, AircraftError> {
+    if system.order() != 4 {
+        return Err(AircraftError::WrongOrder { found: system.order() });
+    }
+    let modes = system
+        .modes()
+        .map_err(|error| AircraftError::InvalidModel { reason: error.to_string() })?;
+    let pairs: Vec<Eigenpair> = modes
+        .iter()
+        .map(|mode| {
+            let shape =
+                mode.eigenvector.as_ref().map(|v| ModeShape::from_state([v[0], v[1], v[2], v[3]]));
+            Eigenpair { eigenvalue: mode.eigenvalue, shape }
+        })
+        .collect();
+    name_modes(&pairs)
+}
+
+fn check_finite(name: &'static str, value: Complex<f64>) -> Result<(), AircraftError> {
+    match [value.re, value.im].into_iter().find(|part| !part.is_finite()) {
+        Some(value) => Err(AircraftError::NotFinite { name, value }),
+        None => Ok(()),
+    }
+}
+
+/// Relative size of an imaginary part that counts as rounding, and relative distance of two members of one pair.
+/// Eigenvalues of real matrices come in exact pairs; those of an estimate may carry the rounding of a few operations.
+const PAIR_TOLERANCE: f64 = 1e-8;
+
+fn is_oscillatory(eigenvalue: Complex<f64>) -> bool {
+    eigenvalue.im.abs() > PAIR_TOLERANCE * eigenvalue.norm()
+}
+
+/// Every real eigenvalue, and of every pair the member with the positive imaginary part.
+fn one_of_each_pair(pairs: &[Eigenpair]) -> Vec<Eigenpair> {
+    let lower = |pair: &&Eigenpair| is_oscillatory(pair.eigenvalue) && pair.eigenvalue.im < 0.0;
+    let mut upper: Vec<Complex<f64>> = pairs
+        .iter()
+        .filter(|pair| is_oscillatory(pair.eigenvalue) && pair.eigenvalue.im > 0.0)
+        .map(|pair| pair.eigenvalue)
+        .collect();
+    let mut kept = Vec::with_capacity(pairs.len());
+    for pair in pairs {
+        if !lower(&pair) {
+            kept.push(*pair);
+            continue;
+        }
+        let conjugate = pair.eigenvalue.conj();
+        let partner = upper
+            .iter()
+            .position(|other| (other - conjugate).norm() <= PAIR_TOLERANCE * conjugate.norm());
+        match partner {
+            Some(index) => {
+                upper.swap_remove(index);
+            }
+            None => kept.push(Eigenpair {
+                eigenvalue: conjugate,
+                shape: pair.shape.map(|shape| shape.conj()),
+            }),
+        }
+    }
+    kept
+}
+
+fn by_eigenvalue(modes: &[Eigenpair]) -> Vec<NamedMode> {
+    let eigenvalues: Vec<Complex<f64>> = modes.iter().map(|mode| mode.eigenvalue).collect();
+    let kinds: Vec<bool> =
+        eigenvalues.iter().map(|&eigenvalue| is_oscillatory(eigenvalue)).collect();
+    let names = assignment::by_eigenvalue(&kinds, &eigenvalues, PAIR_TOLERANCE);
+    let evidence = |name| {
+        if matches!(name, ModeName::Unnamed(_)) {
+            Evidence::None
+        } else {
+            Evidence::EigenvaluePattern
+        }
+    };
+    eigenvalues
+        .into_iter()
+        .zip(names)
+        .map(|(eigenvalue, name)| NamedMode { name, eigenvalue, evidence: evidence(name) })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;

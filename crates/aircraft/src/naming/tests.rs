@@ -1,0 +1,285 @@
+use lti::{Continuous, StateSpace};
+use nalgebra::DMatrix;
+use num_complex::Complex;
+use proptest::prelude::*;
+
+use super::{
+    Eigenpair, Evidence, ModeName, NamedMode, WhyUnnamed, name_eigenvalues, name_modes,
+    name_system_modes,
+};
+use crate::{
+    AircraftError, Inertia, LateralDerivatives, LateralModel, LateralState, ModeShape,
+    SideForceScaling, Surface, catalog,
+};
+
+use ModeName::{CoupledRollSpiral, DutchRoll, DutchRollRealRoot, RollSubsidence, Spiral, Unnamed};
+
+fn complex(re: f64, im: f64) -> Complex<f64> {
+    Complex::new(re, im)
+}
+
+/// Names of the paper's aircraft with changed derivatives, sorted by real and imaginary part.
+fn modes_of(change: impl Fn(&mut LateralDerivatives)) -> Vec<NamedMode> {
+    let mut derivatives = catalog::PAPER_AIRCRAFT.derivatives;
+    change(&mut derivatives);
+    let model = LateralModel::new(derivatives, catalog::PAPER_AIRCRAFT.inertia).unwrap();
+    let system =
+        model.state_space(&Surface::ALL, SideForceScaling::AsPrinted, &LateralState::ALL).unwrap();
+    let mut modes = name_system_modes(&system).unwrap();
+    modes.sort_by(|a, b| a.eigenvalue.re.total_cmp(&b.eigenvalue.re));
+    modes
+}
+
+fn find(modes: &[NamedMode], name: ModeName) -> NamedMode {
+    let found: Vec<&NamedMode> = modes.iter().filter(|mode| mode.name == name).collect();
+    assert_eq!(found.len(), 1, "{name} in {modes:?}");
+    *found[0]
+}
+
+fn agreement(mode: &NamedMode) -> f64 {
+    match mode.evidence {
+        Evidence::Shape { agreement, .. } => agreement,
+        _ => panic!("no shape: {mode:?}"),
+    }
+}
+
+#[test]
+fn the_paper_s_aircraft_has_its_three_modes() {
+    let modes = modes_of(|_| ());
+    let roll = find(&modes, RollSubsidence);
+    let spiral = find(&modes, Spiral);
+    let dutch_roll = find(&modes, DutchRoll);
+    assert!((roll.eigenvalue - complex(-0.5455628456192483, 0.0)).norm() < 1e-12);
+    assert!((spiral.eigenvalue - complex(-0.0015636382192560033, 0.0)).norm() < 1e-12);
+    assert!(
+        (dutch_roll.eigenvalue - complex(-0.07059406770370226, 1.6916783619584712)).norm() < 1e-12
+    );
+    for mode in &modes {
+        assert!(agreement(mode) > 0.75, "{mode:?}");
+    }
+    // |phi/beta| of the roll equation: (lambda^2 - L_p lambda) phi = L_beta beta + L_r r.
+    let Evidence::Shape { bank_to_sideslip: Some(ratio), .. } = dutch_roll.evidence else {
+        panic!("{dutch_roll:?}")
+    };
+    assert!((1.0..2.0).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn an_unstable_spiral_and_an_unstable_dutch_roll_keep_their_names() {
+    let modes = modes_of(|d| d.l_r_per_s = 0.6);
+    assert!(find(&modes, Spiral).eigenvalue.re > 0.02);
+    assert!(find(&modes, RollSubsidence).eigenvalue.re < -0.3);
+
+    let modes = modes_of(|d| d.n_r_per_s = 0.2);
+    assert!(find(&modes, DutchRoll).eigenvalue.re > 0.0);
+}
+
+#[test]
+fn a_spiral_faster_than_the_roll_is_told_by_its_shape() {
+    // No dihedral and a strong roll due to yaw: the divergent turn is faster than the roll settles. By size alone
+    // the two would change names.
+    let modes = modes_of(|d| {
+        d.l_beta_per_s2 = -0.1;
+        d.l_p_per_s = -0.02;
+        d.l_r_per_s = 0.4;
+        d.n_p_per_s = -0.1;
+    });
+    let spiral = find(&modes, Spiral);
+    let roll = find(&modes, RollSubsidence);
+    assert!(spiral.eigenvalue.re > 0.0 && roll.eigenvalue.re < 0.0);
+    assert!(spiral.eigenvalue.norm() > 0.0);
+}
+
+#[test]
+fn roll_and_spiral_can_merge() {
+    // Weak roll damping, adverse yaw due to roll: two pairs.
+    let modes = modes_of(|d| {
+        d.l_p_per_s = -0.05;
+        d.l_beta_per_s2 = -8.0;
+        d.n_r_per_s = -0.4;
+    });
+    assert_eq!(modes.len(), 2, "{modes:?}");
+    let slow = find(&modes, CoupledRollSpiral);
+    let fast = find(&modes, DutchRoll);
+    assert!(slow.eigenvalue.norm() < fast.eigenvalue.norm());
+    assert!(agreement(&slow) > 0.5 && agreement(&fast) > 0.5, "{modes:?}");
+}
+
+#[test]
+fn without_weathercock_stability_the_dutch_roll_is_two_real_roots() {
+    let modes = modes_of(|d| {
+        d.n_beta_per_s2 = -2.0;
+        d.l_beta_per_s2 = 0.0;
+        d.l_p_per_s = -2.0;
+    });
+    assert_eq!(modes.len(), 4, "{modes:?}");
+    let real_roots: Vec<&NamedMode> =
+        modes.iter().filter(|mode| mode.name == DutchRollRealRoot).collect();
+    assert_eq!(real_roots.len(), 2, "{modes:?}");
+    assert!(real_roots.iter().any(|mode| mode.eigenvalue.re > 0.5));
+    assert!((find(&modes, RollSubsidence).eigenvalue.re + 2.0).abs() < 0.1);
+    assert!(find(&modes, Spiral).eigenvalue.norm() < 0.2);
+}
+
+#[test]
+fn sensors_and_any_scale_of_the_vector_give_the_same_names() {
+    let model =
+        LateralModel::new(catalog::PAPER_AIRCRAFT.derivatives, catalog::PAPER_AIRCRAFT.inertia)
+            .unwrap();
+    let system =
+        model.state_space(&Surface::ALL, SideForceScaling::AsPrinted, &LateralState::ALL).unwrap();
+    let pairs: Vec<Eigenpair> = system
+        .modes()
+        .unwrap()
+        .iter()
+        .map(|mode| {
+            let v = mode.eigenvector.as_ref().unwrap() * complex(-3.0, 40.0);
+            Eigenpair {
+                eigenvalue: mode.eigenvalue,
+                shape: Some(ModeShape::from_sensors(v[0], v[1], v[2])),
+            }
+        })
+        .collect();
+    let by_state = name_system_modes(&system).unwrap();
+    for (ours, expected) in name_modes(&pairs).unwrap().iter().zip(&by_state) {
+        assert_eq!(ours.name, expected.name);
+        assert!((agreement(ours) - agreement(expected)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn eigenvalues_alone_name_complete_sets_only() {
+    fn check(eigenvalues: &[(f64, f64)], expected: &[ModeName]) {
+        let eigenvalues: Vec<Complex<f64>> =
+            eigenvalues.iter().map(|&(re, im)| complex(re, im)).collect();
+        let modes = name_eigenvalues(&eigenvalues).unwrap();
+        assert_eq!(
+            modes.iter().map(|mode| mode.name).collect::<Vec<_>>(),
+            expected,
+            "{eigenvalues:?}"
+        );
+        for mode in modes {
+            let named = !matches!(mode.name, Unnamed(_));
+            assert_eq!(mode.evidence == Evidence::EigenvaluePattern, named);
+        }
+    }
+    let missing = |real, pairs| Unnamed(WhyUnnamed::IncompleteSet { real, pairs });
+    check(
+        &[(-0.5, 0.0), (-0.1, 1.7), (-0.1, -1.7), (-0.001, 0.0)],
+        &[RollSubsidence, DutchRoll, Spiral],
+    );
+    check(&[(0.02, 0.0), (-0.5, 0.0), (0.1, -1.7)], &[Spiral, RollSubsidence, DutchRoll]);
+    check(&[(-0.1, 0.2), (-0.1, 1.7), (-0.1, -1.7), (-0.1, -0.2)], &[CoupledRollSpiral, DutchRoll]);
+    check(&[(-0.1, 1.7), (-0.1, -1.7), (-0.5, 0.0)], &[missing(1, 1), missing(1, 1)]);
+    check(&[(-0.1, 1.7)], &[missing(0, 1)]);
+    check(&[(-2.0, 0.0), (1.0, 0.0), (-0.5, 0.0), (0.0, 0.0)], &[missing(4, 0); 4]);
+    let equal = Unnamed(WhyUnnamed::EqualEigenvalues);
+    check(&[(-0.5, 0.0), (-0.1, 1.7), (-0.5, 0.0)], &[equal, DutchRoll, equal]);
+    check(&[(0.0, 0.0), (-0.1, 1.7), (0.0, 0.0)], &[equal, DutchRoll, equal]);
+    check(&[], &[]);
+}
+
+#[test]
+fn a_pair_counts_once_however_it_is_given() {
+    let found = name_eigenvalues(&[complex(-0.1, -1.7), complex(-0.1, 1.7)]).unwrap();
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].eigenvalue, complex(-0.1, 1.7));
+    let lower = name_eigenvalues(&[complex(-0.1, -1.7)]).unwrap();
+    assert_eq!(lower[0].eigenvalue, complex(-0.1, 1.7));
+    // Two equal pairs are two modes.
+    let twice = [complex(-0.1, 1.7), complex(-0.1, -1.7), complex(-0.1, 1.7), complex(-0.1, -1.7)];
+    assert_eq!(name_eigenvalues(&twice).unwrap().len(), 2);
+    // The lower member's vector is conjugated with it: r = -lambda beta is pure slip for either member.
+    for eigenvalue in [complex(-0.1, 1.7), complex(-0.1, -1.7)] {
+        let shape =
+            Some(ModeShape::from_sensors(complex(1.0, 0.0), complex(0.0, 0.0), -eigenvalue));
+        let named = name_modes(&[Eigenpair { eigenvalue, shape }]).unwrap();
+        assert_eq!((named[0].name, agreement(&named[0])), (DutchRoll, 1.0));
+    }
+}
+
+#[test]
+fn a_mode_of_an_incomplete_set_is_named_by_its_own_shape() {
+    let real = |value: f64| complex(value, 0.0);
+    let rolling = |rate: f64| Some(ModeShape::from_sensors(real(0.0), real(rate), real(0.1)));
+    let named = name_modes(&[
+        Eigenpair { eigenvalue: real(-0.5), shape: rolling(1.0) },
+        Eigenpair { eigenvalue: real(-0.7), shape: rolling(2.0) },
+    ])
+    .unwrap();
+    assert_eq!([named[0].name, named[1].name], [Unnamed(WhyUnnamed::BetterClaim), RollSubsidence]);
+
+    let still = Some(ModeShape::from_sensors(real(0.0), real(0.0), real(0.0)));
+    let named = name_modes(&[Eigenpair { eigenvalue: real(0.0), shape: still }]).unwrap();
+    assert_eq!(
+        (named[0].name, named[0].evidence),
+        (Unnamed(WhyUnnamed::NoLateralMotion), Evidence::None)
+    );
+}
+
+#[test]
+fn one_missing_shape_leaves_the_eigenvalues() {
+    let slip = ModeShape::from_sensors(complex(1.0, 0.0), complex(0.0, 0.0), complex(0.5, 0.0));
+    let pair = Eigenpair { eigenvalue: complex(-0.1, 1.7), shape: None };
+    let real = |re: f64| Eigenpair { eigenvalue: complex(re, 0.0), shape: Some(slip) };
+    let names: Vec<ModeName> = name_modes(&[real(-0.5), pair, real(-0.01)])
+        .unwrap()
+        .iter()
+        .map(|mode| mode.name)
+        .collect();
+    assert_eq!(names, [RollSubsidence, DutchRoll, Spiral]);
+}
+
+#[test]
+fn what_is_not_finite_or_not_lateral_is_refused() {
+    let infinite = name_eigenvalues(&[complex(f64::INFINITY, 0.0)]);
+    assert_eq!(
+        infinite,
+        Err(AircraftError::NotFinite { name: "eigenvalue", value: f64::INFINITY })
+    );
+    let shape =
+        Some(ModeShape::from_sensors(complex(f64::NAN, 0.0), complex(0.0, 0.0), complex(0.0, 0.0)));
+    assert!(name_modes(&[Eigenpair { eigenvalue: complex(-1.0, 0.0), shape }]).is_err());
+
+    let a = DMatrix::identity(3, 3);
+    let system = StateSpace::<Continuous>::new(
+        a,
+        DMatrix::zeros(3, 1),
+        DMatrix::zeros(1, 3),
+        DMatrix::zeros(1, 1),
+    );
+    assert_eq!(name_system_modes(&system.unwrap()), Err(AircraftError::WrongOrder { found: 3 }));
+}
+
+proptest! {
+    /// A decoupled aircraft: roll at `L_p`, spiral at 0 without gravity's help, Dutch roll from sideslip and yaw alone.
+    #[test]
+    fn planted_modes_are_named(
+        roll in -6.0..-0.05_f64,
+        weathercock in 0.5..9.0_f64,
+        yaw_damping in -0.3..0.1_f64,
+        speed in 150.0..900.0_f64,
+    ) {
+        let derivatives = LateralDerivatives {
+            trim_speed_ft_s: speed,
+            y_beta_ft_s2: 0.0,
+            y_r_ft_s: 0.0,
+            l_beta_per_s2: 0.0,
+            l_p_per_s: roll,
+            l_r_per_s: 0.0,
+            n_beta_per_s2: weathercock,
+            n_p_per_s: 0.0,
+            n_r_per_s: yaw_damping,
+            ..catalog::PAPER_AIRCRAFT.derivatives
+        };
+        let inertia = Inertia { ixz_slug_ft2: 0.0, ..catalog::PAPER_AIRCRAFT.inertia };
+        let model = LateralModel::new(derivatives, inertia).unwrap();
+        let system = model.state_space(&Surface::ALL, SideForceScaling::Dimensional, &LateralState::ALL).unwrap();
+        let modes = name_system_modes(&system).unwrap();
+        prop_assert!((find(&modes, RollSubsidence).eigenvalue - roll).norm() < 1e-9);
+        prop_assert!(find(&modes, Spiral).eigenvalue.norm() < 1e-9);
+        // lambda^2 - N_r lambda + N_beta = 0.
+        let expected = complex(yaw_damping / 2.0, (weathercock - yaw_damping * yaw_damping / 4.0).sqrt());
+        prop_assert!((find(&modes, DutchRoll).eigenvalue - expected).norm() < 1e-9);
+    }
+}

@@ -1,0 +1,95 @@
+//! What a lateral mode looks like in the sensors.
+
+use num_complex::Complex;
+
+/// Components of an eigenvector, up to a common complex factor.
+///
+/// The states of the model or the readings of sensors do alike: sideslip in rad, rates in rad/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModeShape {
+    /// Sideslip angle.
+    #[doc(alias = "beta")]
+    pub sideslip: Complex<f64>,
+    /// Roll rate.
+    #[doc(alias = "p")]
+    pub roll_rate: Complex<f64>,
+    /// Yaw rate.
+    #[doc(alias = "r")]
+    pub yaw_rate: Complex<f64>,
+    /// Bank angle, where it is known. It only enters [`ModeShape::bank_to_sideslip`]; without it, `phi = p / lambda`.
+    #[doc(alias = "phi")]
+    pub bank_angle: Option<Complex<f64>>,
+}
+
+/// What tells the lateral modes apart, from eigenvalue and shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Character {
+    /// `|lambda beta| / (|lambda beta| + |r + lambda beta|)`.
+    pub(crate) slip_fraction: f64,
+    /// `|p| / (|p| + |r|)`.
+    pub(crate) roll_fraction: f64,
+    /// `|phi| / |beta|`.
+    pub(crate) bank_to_sideslip: Option<f64>,
+}
+
+impl ModeShape {
+    /// The components of a state vector `[beta, p, r, phi]`.
+    #[must_use]
+    pub fn from_state([sideslip, roll_rate, yaw_rate, bank_angle]: [Complex<f64>; 4]) -> Self {
+        Self { sideslip, roll_rate, yaw_rate, bank_angle: Some(bank_angle) }
+    }
+
+    /// The readings of a sideslip vane and two rate gyros.
+    #[must_use]
+    pub fn from_sensors(
+        sideslip: Complex<f64>,
+        roll_rate: Complex<f64>,
+        yaw_rate: Complex<f64>,
+    ) -> Self {
+        Self { sideslip, roll_rate, yaw_rate, bank_angle: None }
+    }
+
+    /// `|phi| / |beta|`, a usual measure of the Dutch roll; `phi = p / lambda` where the bank angle is not known.
+    ///
+    /// `None` where it would be a division by zero.
+    #[must_use]
+    pub fn bank_to_sideslip(&self, eigenvalue: Complex<f64>) -> Option<f64> {
+        let bank = self.bank_angle.unwrap_or(self.roll_rate / eigenvalue);
+        Some(bank.norm() / self.sideslip.norm()).filter(|ratio| ratio.is_finite())
+    }
+
+    pub(crate) fn conj(&self) -> Self {
+        Self {
+            sideslip: self.sideslip.conj(),
+            roll_rate: self.roll_rate.conj(),
+            yaw_rate: self.yaw_rate.conj(),
+            bank_angle: self.bank_angle.map(|value| value.conj()),
+        }
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        [self.sideslip, self.roll_rate, self.yaw_rate]
+            .into_iter()
+            .chain(self.bank_angle)
+            .all(|value| value.re.is_finite() && value.im.is_finite())
+    }
+
+    /// `None` for a shape without any lateral motion.
+    pub(crate) fn character(&self, eigenvalue: Complex<f64>) -> Option<Character> {
+        let slip_rate = eigenvalue * self.sideslip;
+        let path_rate = self.yaw_rate + slip_rate;
+        let fraction = |part: f64, other: f64| if part > 0.0 { part / (part + other) } else { 0.0 };
+        let moves = [self.sideslip, self.roll_rate, self.yaw_rate]
+            .into_iter()
+            .chain(self.bank_angle)
+            .any(|value| value.norm() > 0.0);
+        moves.then(|| Character {
+            slip_fraction: fraction(slip_rate.norm(), path_rate.norm()),
+            roll_fraction: fraction(self.roll_rate.norm(), self.yaw_rate.norm()),
+            bank_to_sideslip: self.bank_to_sideslip(eigenvalue),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;
