@@ -23,7 +23,8 @@ pub struct EraOptions {
     /// Block columns of the Hankel matrix. Default: all parameters are used.
     pub block_columns: Option<usize>,
     /// Absolute uncertainty of one entry of a Markov parameter, in its own unit: what the fit that found them says of
-    /// them. Default: none, the numbers are exact up to rounding.
+    /// them. Taken as a bound; independent errors of this standard deviation reach about half of the floor that it sets.
+    /// Default: none, the numbers are exact up to rounding.
     pub noise_floor: Option<f64>,
 }
 
