@@ -17,19 +17,44 @@ pub(crate) fn width(text: &str, size_px: u32) -> f64 {
     f64::from(size_px) * text.chars().map(advance_em).sum::<f64>()
 }
 
-/// Splits a text at spaces into lines no wider than `limit_px`; a single wider word stays whole.
+/// Splits a text at spaces (not at no-break spaces) into as few lines as the limit allows, and these of about equal width; a
+/// single wider word stays whole.
 pub(crate) fn wrap(text: &str, size_px: u32, limit_px: f64) -> Vec<String> {
+    let words: Vec<(&str, f64)> =
+        text.split_ascii_whitespace().map(|word| (word, width(word, size_px))).collect();
+    let space_px = width(" ", size_px);
+    let lines = break_lines(&words, space_px, limit_px);
+    if lines.len() < 2 {
+        return lines;
+    }
+    // The narrowest limit that needs no further line.
+    let (mut narrow, mut wide) = (0.0, limit_px);
+    for _ in 0..12 {
+        let middle = 0.5 * (narrow + wide);
+        if break_lines(&words, space_px, middle).len() > lines.len() {
+            narrow = middle;
+        } else {
+            wide = middle;
+        }
+    }
+    break_lines(&words, space_px, wide)
+}
+
+/// Fills one line after the other.
+fn break_lines(words: &[(&str, f64)], space_px: f64, limit_px: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    let mut used = f64::INFINITY;
+    for (word, word_px) in words {
         match lines.last_mut() {
-            Some(line)
-                if width(line, size_px) + width(" ", size_px) + width(word, size_px)
-                    <= limit_px =>
-            {
+            Some(line) if used + space_px + word_px <= limit_px => {
                 line.push(' ');
                 line.push_str(word);
+                used += space_px + word_px;
             }
-            _ => lines.push(word.to_owned()),
+            _ => {
+                lines.push((*word).to_owned());
+                used = *word_px;
+            }
         }
     }
     lines

@@ -26,9 +26,15 @@ fn figures_need_no_glyph_that_is_missing() {
 }
 
 #[test]
-fn lines_are_as_long_as_allowed_and_no_longer() {
-    let limit = width("roll rate", 12);
-    assert_eq!(wrap("sideslip roll rate", 12, limit), ["sideslip", "roll rate"]);
-    assert_eq!(wrap("transmissibility of one", 12, limit), ["transmissibility", "of one"]);
-    assert!(wrap("  ", 12, limit).is_empty());
+fn lines_are_few_and_of_about_equal_width() {
+    let check = |text: &str, limit: &str, expected: &[&str]| {
+        assert_eq!(wrap(text, 12, width(limit, 12)), expected, "{text:?}");
+    };
+    check("roll rate", "roll rate", &["roll rate"]);
+    check("sideslip roll rate", "roll rate", &["sideslip", "roll rate"]);
+    // Filling line by line would leave "= 1" alone on the second one.
+    check("roll rate near z = 1", "roll rate near z =", &["roll rate", "near z = 1"]);
+    check("roll rate near z\u{a0}=\u{a0}1", "roll rate", &["roll rate", "near", "z\u{a0}=\u{a0}1"]);
+    check("transmissibility of one", "roll rate", &["transmissibility", "of one"]);
+    check("  ", "roll rate", &[]);
 }

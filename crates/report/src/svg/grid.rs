@@ -61,9 +61,9 @@ impl<'a> Grid<'a> {
         let plot_width = match (medium, columns) {
             (Medium::Phone, _) => 280.0,
             (Medium::Page, 1) => 460.0,
-            (Medium::Page, 2) => 300.0,
-            (Medium::Page, 3) => 240.0,
-            (Medium::Page, _) => 200.0,
+            (Medium::Page, 2) => 290.0,
+            (Medium::Page, 3) => 205.0,
+            (Medium::Page, _) => 160.0,
         };
         let mut cells = Vec::with_capacity(figure.panels.len());
         for (i, panel) in figure.panels.iter().enumerate() {
@@ -72,6 +72,9 @@ impl<'a> Grid<'a> {
         for row in cells.chunks_mut(columns) {
             let height = row.iter().map(|cell| cell.frame.height).fold(0.0, f64::max);
             row.iter_mut().for_each(|cell| cell.settle(height));
+        }
+        if medium == Medium::Page {
+            share_labels(&mut cells, columns);
         }
         Ok(Self::placed(cells, columns))
     }
@@ -193,6 +196,19 @@ impl<'a> Cell<'a> {
 
 fn lines(text: &[String]) -> f64 {
     text.iter().fold(0.0, |sum, _| sum + 1.0)
+}
+
+/// Drops the vertical label that the panel on the left has too, and the horizontal label that the panel below has too.
+fn share_labels(cells: &mut [Cell<'_>], columns: usize) {
+    for i in 0..cells.len() {
+        if i % columns > 0 && cells[i].panel.y.label == cells[i - 1].panel.y.label {
+            cells[i].y_label.clear();
+        }
+        if cells.get(i + columns).is_some_and(|below| below.panel.x.label == cells[i].panel.x.label)
+        {
+            cells[i].x_label.clear();
+        }
+    }
 }
 
 /// a, b, ..., z, aa, ab, ...

@@ -4,14 +4,16 @@ use super::frame::Pixel;
 use super::grid::{LABEL_PX, LINE_PX};
 use super::ink::GREY;
 use super::marks;
-use super::panel::{BAND_OPACITY, LINE_RADIUS_PX, STEM_RADIUS_PX};
+use super::panel::{BAND_OPACITY, LINE_RADIUS_PX, STEM_RADIUS_PX, size};
 use crate::figure::{Figure, Guide, Legend};
 use crate::font;
 use crate::series::{Dash, Fill, Marker, Series};
 use kuva::render::render::{Scene, TextAnchor};
 
-/// Width of the sample in front of an entry.
+/// Width of the widest sample in front of an entry.
 const SAMPLE_PX: f64 = 28.0;
+/// Width of a sample that is a single marker.
+const MARKER_PX: f64 = 18.0;
 /// From the sample to its text.
 const GAP_PX: f64 = 6.0;
 /// From one entry to the next.
@@ -76,10 +78,10 @@ impl Placed {
     pub(super) fn draw(&self, scene: &mut Scene, top: f64) {
         for entry in &self.entries {
             let middle = top + entry.top + 0.5 * ROW_PX;
-            entry.draw_sample(scene, (entry.left + 0.5 * SAMPLE_PX, middle));
+            entry.draw_sample(scene, (entry.left + 0.5 * entry.sample_width(), middle));
             let mut baseline = middle + 0.36 * f64::from(LABEL_PX);
             for line in &entry.lines {
-                let at = (entry.left + SAMPLE_PX + GAP_PX, baseline);
+                let at = (entry.left + entry.sample_width() + GAP_PX, baseline);
                 scene.add(marks::text(line, at, LABEL_PX, TextAnchor::Start, None));
                 baseline += LINE_PX;
             }
@@ -100,8 +102,8 @@ fn entries(figure: &Figure, colours: &[Vec<&'static str>], width: f64) -> Vec<En
     for (panel, colours) in figure.panels.iter().zip(colours) {
         for (series, colour) in panel.series.iter().zip(colours) {
             let sample = match series {
-                Series::Points(s) => Sample::Point(s.marker, s.fill, s.radius_px.clamp(2.0, 8.0)),
-                Series::Line(s) => Sample::Line(s.dash, s.width_px.clamp(0.5, 5.0), s.marker),
+                Series::Points(s) => Sample::Point(s.marker, s.fill, size(s.radius_px, 2.0, 8.0)),
+                Series::Line(s) => Sample::Line(s.dash, size(s.width_px, 0.5, 5.0), s.marker),
                 Series::Stems(s) => Sample::Stem(s.marker, s.fill),
                 Series::Band(_) => Sample::Band,
                 Series::Ellipses(s) => Sample::Ellipse(s.dash),
@@ -122,6 +124,13 @@ fn entries(figure: &Figure, colours: &[Vec<&'static str>], width: f64) -> Vec<En
 }
 
 impl Entry {
+    fn sample_width(&self) -> f64 {
+        match self.sample {
+            Sample::Point(..) | Sample::Stem(..) => MARKER_PX,
+            Sample::Line(..) | Sample::Band | Sample::Ellipse(_) => SAMPLE_PX,
+        }
+    }
+
     fn width(&self) -> f64 {
         SAMPLE_PX
             + GAP_PX

@@ -1,8 +1,11 @@
 //! Words beside places: each on the side where it covers least.
 
+use super::frame::Pixel;
 use super::grid::Cell;
 use super::marks;
+use super::panel::{LINE_RADIUS_PX, STEM_RADIUS_PX, outline};
 use super::scale::TICK_PX;
+use crate::figure::Guide;
 use crate::font;
 use crate::series::{Notes, Series};
 use kuva::render::render::{Scene, TextAnchor};
@@ -23,26 +26,29 @@ pub(super) fn draw(scene: &mut Scene, cell: &Cell<'_>, notes: &Notes) {
             let (left, top) = (at.0 + dx, at.1 + dy - 0.5 * height);
             (left, top, left + width, top + height)
         };
-        let (right, left, center) = (GAP_PX, -GAP_PX - width, -0.5 * width);
-        let rise = GAP_PX + 0.5 * height;
-        let near = [(right, 0.0), (left, 0.0), (center, -rise), (center, rise)];
-        let corners = [(right, -rise), (left, -rise), (right, rise), (left, rise)];
-        let far = [
-            (center, -2.0 * rise),
-            (center, 2.0 * rise),
-            (right, -2.0 * rise),
-            (right, 2.0 * rise),
-        ];
-        let candidates = near.into_iter().chain(corners).chain(far).map(|(dx, dy)| area(dx, dy));
+        // To the sides, above and below, at growing distance.
+        let candidates =
+            [GAP_PX, 2.0 * GAP_PX, 4.0 * GAP_PX, 7.0 * GAP_PX].into_iter().flat_map(|gap| {
+                let (right, left, center) = (gap, -gap - width, -0.5 * width);
+                let rise = gap + 0.5 * height;
+                let sides = [(right, 0.0), (left, 0.0), (center, -rise), (center, rise)];
+                let corners = [(right, -rise), (left, -rise), (right, rise), (left, rise)];
+                sides.into_iter().chain(corners).map(move |(dx, dy)| (gap, area(dx, dy)))
+            });
+        // Pixels that stand out of the frame, here with a rim of two.
         let outside = |a: &Area| {
             (frame.left + 2.0 - a.0).max(0.0)
                 + (a.2 - frame.right() + 2.0).max(0.0)
                 + (frame.top + 2.0 - a.1).max(0.0)
                 + (a.3 - frame.bottom() + 2.0).max(0.0)
         };
-        let cost =
-            |a: &Area| 1e3 * outside(a) + taken.iter().map(|other| overlap(a, other)).sum::<f64>();
-        let Some(best) = candidates.min_by(|a, b| cost(a).total_cmp(&cost(b))) else { continue };
+        let cost = |(gap, a): &(f64, Area)| {
+            let covered = taken.iter().map(|other| overlap(a, other)).sum::<f64>();
+            1e3 * outside(a) + covered + 0.1 * gap
+        };
+        let Some((_, best)) = candidates.min_by(|a, b| cost(a).total_cmp(&cost(b))) else {
+            continue;
+        };
         scene.add(marks::text(
             text,
             (best.0, best.3 - 0.15 * height),
@@ -54,21 +60,44 @@ pub(super) fn draw(scene: &mut Scene, cell: &Cell<'_>, notes: &Notes) {
     }
 }
 
-/// Where the markers of the panel are.
+/// Where the markers and lines of the panel are; lines as a chain of small squares.
 fn marks_of(cell: &Cell<'_>) -> Vec<Area> {
+    let frame = &cell.frame;
     let mut areas = Vec::new();
+    let around =
+        |areas: &mut Vec<Area>, (x, y): Pixel, r: f64| areas.push((x - r, y - r, x + r, y + r));
     for series in &cell.panel.series {
         let (xy, r) = match series {
             Series::Points(s) => (&s.xy, s.radius_px),
-            Series::Stems(s) => (&s.xy, super::panel::STEM_RADIUS_PX),
-            Series::Line(s) => (&s.xy, super::panel::LINE_RADIUS_PX),
-            _ => continue,
+            Series::Stems(s) => (&s.xy, STEM_RADIUS_PX),
+            Series::Line(s) => (&s.xy, LINE_RADIUS_PX),
+            Series::Ellipses(s) => {
+                for point in s.ellipses.iter().flat_map(outline).filter(|point| frame.shows(*point))
+                {
+                    around(&mut areas, frame.pixel(point), 1.5);
+                }
+                continue;
+            }
+            Series::Band(_) | Series::Notes(_) => continue,
         };
-        let shown = xy
-            .iter()
-            .filter(|point| cell.frame.shows(**point))
-            .map(|point| cell.frame.pixel(*point));
-        areas.extend(shown.map(|(x, y)| (x - r, y - r, x + r, y + r)));
+        for point in xy.iter().filter(|point| frame.shows(**point)) {
+            around(&mut areas, frame.pixel(*point), r);
+        }
+    }
+    for guide in &cell.panel.guides {
+        match *guide {
+            Guide::UnitCircle => {
+                frame.unit_circle().into_iter().flatten().for_each(|at| around(&mut areas, at, 1.0))
+            }
+            Guide::Horizontal(y) => {
+                let y = frame.pixel((frame.x.low, y)).1;
+                areas.push((frame.left, y - 1.0, frame.right(), y + 1.0));
+            }
+            Guide::Vertical(x) => {
+                let x = frame.pixel((x, frame.y.low)).0;
+                areas.push((x - 1.0, frame.top, x + 1.0, frame.bottom()));
+            }
+        }
     }
     areas
 }

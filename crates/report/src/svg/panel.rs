@@ -129,14 +129,16 @@ fn draw_series(scene: &mut Scene, cell: &Cell<'_>, series: &Series, colour: &str
     };
     match series {
         Series::Points(s) => {
-            let radius = if s.radius_px.is_finite() { s.radius_px.clamp(0.5, 50.0) } else { 4.5 };
+            // Small panels get smaller markers.
+            let radius =
+                size(s.radius_px, 0.5, 50.0) * if frame.width < 220.0 { 0.85 } else { 1.0 };
             shown(&s.xy)
                 .into_iter()
                 .for_each(|at| scene.add(marks::marker(s.marker, s.fill, colour, at, radius)));
         }
         Series::Line(s) => {
             let points: Vec<_> = s.xy.iter().map(|point| frame.pixel(*point)).collect();
-            let width = if s.width_px.is_finite() { s.width_px.clamp(0.2, 20.0) } else { 1.6 };
+            let width = size(s.width_px, 0.2, 20.0);
             polyline(scene, &points, width, s.dash);
             if let Some(marker) = s.marker {
                 let marks = shown(&s.xy)
@@ -180,8 +182,13 @@ fn draw_series(scene: &mut Scene, cell: &Cell<'_>, series: &Series, colour: &str
     }
 }
 
+/// A size that can be drawn, whatever was asked for.
+pub(super) fn size(asked_px: f64, least: f64, most: f64) -> f64 {
+    if asked_px.is_nan() { least } else { asked_px.clamp(least, most) }
+}
+
 /// 145 points around an ellipse, the first repeated at the end.
-fn outline(ellipse: &Ellipse) -> impl Iterator<Item = (f64, f64)> {
+pub(super) fn outline(ellipse: &Ellipse) -> impl Iterator<Item = (f64, f64)> + use<> {
     let Ellipse { center, semi_axes, angle_rad } = *ellipse;
     let (sin, cos) = angle_rad.sin_cos();
     (0..=144_u8).map(move |i| {

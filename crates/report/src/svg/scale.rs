@@ -38,7 +38,7 @@ impl View {
         (view.low, view.high) = (view.unit(low), view.unit(high));
         let least = match view.scale {
             Scale::Linear => (1e-9 * low.abs().max(high.abs())).max(f64::MIN_POSITIVE * 1e9),
-            Scale::Log10 => 0.2,
+            Scale::Log10 => 1e-3,
         };
         if view.high - view.low < least {
             // All values are equal: the axis says so by putting them in its middle.
@@ -87,9 +87,9 @@ impl View {
 /// Ticks of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Ticks {
-    /// Distance of the major ticks, which are its multiples, in the units of the view.
+    /// Distance of the major ticks, which are its multiples, in the units of the view; infinite where there are none.
     pub(super) step: f64,
-    /// Labelled ticks between the major ones: place in the units of the view, label.
+    /// Labelled ticks that are not multiples of a step: place in the units of the view, label.
     pub(super) extra: Vec<(f64, String)>,
     /// Ticks without label.
     pub(super) minor: Vec<f64>,
@@ -208,16 +208,36 @@ impl Ticks {
             ticks.minor = whole_numbers(view.low.ceil(), view.high.floor()).collect();
         }
         if whole_numbers(view.low.ceil(), view.high.floor()).count() < 2 {
-            let name = |unit: f64| sub_decade_label(unit, style);
-            ticks.extra =
-                multiples(&[2.0, 5.0]).filter(inside).map(|unit| (unit, name(unit))).collect();
-            ticks.widest_px = ticks
-                .extra
-                .iter()
-                .map(|(_, label)| font::width(label, TICK_PX))
-                .fold(ticks.widest_px, f64::max);
+            ticks.label_between_decades(view, length_px, direction);
         }
         ticks
+    }
+
+    /// Labels 2 and 5 times a power of ten, or, where that gives no two labels either, the values a linear axis would label.
+    fn label_between_decades(&mut self, view: View, length_px: f64, direction: Direction) {
+        let decades = whole_numbers(view.low.floor(), view.high.floor());
+        let multiples =
+            decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|factor: f64| decade + factor.log10()));
+        let inside = |unit: &f64| (view.low..=view.high).contains(unit);
+        let name = |unit: f64| (unit, sub_decade_label(unit, self.style));
+        self.extra = multiples.filter(inside).map(name).collect();
+        if self.extra.len() < 2 {
+            let values = View {
+                scale: Scale::Linear,
+                low: 10f64.powf(view.low),
+                high: 10f64.powf(view.high),
+            };
+            // Towards the upper end they come closer together.
+            let linear = Self::linear(values, 0.7 * length_px, direction);
+            self.extra = linear
+                .places(values)
+                .map(|value| (value.log10(), linear.style.label(value)))
+                .collect();
+        }
+        // The extra ticks take the place of the major ones.
+        self.step = f64::INFINITY;
+        self.widest_px =
+            self.extra.iter().map(|(_, label)| font::width(label, TICK_PX)).fold(0.0, f64::max);
     }
 
     fn major(view: View, step: f64, style: Style) -> Self {
@@ -233,13 +253,15 @@ impl Ticks {
     pub(super) fn places(&self, view: View) -> impl Iterator<Item = f64> + use<> {
         let step = self.step;
         let slack = 1e-9;
-        whole_numbers((view.low / step - slack).ceil(), (view.high / step + slack).floor())
+        // With an infinite step not even zero is a tick.
+        let none = if step.is_finite() { 0.0 } else { f64::NAN };
+        whole_numbers(none + (view.low / step - slack).ceil(), (view.high / step + slack).floor())
             .map(move |n| n * step)
     }
 
     fn fits(&self, step_px: f64, direction: Direction) -> bool {
         match direction {
-            Direction::Horizontal => step_px >= (self.widest_px + 12.0).max(34.0),
+            Direction::Horizontal => step_px >= (self.widest_px + 8.0).max(34.0),
             Direction::Vertical => step_px >= 26.0,
         }
     }
