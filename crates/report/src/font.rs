@@ -17,11 +17,11 @@ pub(crate) fn width(text: &str, size_px: u32) -> f64 {
     f64::from(size_px) * text.chars().map(advance_em).sum::<f64>()
 }
 
-/// Splits a text at spaces (not at no-break spaces) into as few lines as the limit allows, and these of about equal width; a
-/// single wider word stays whole.
+/// Splits a text at spaces (not at no-break spaces) into as few lines as the limit allows, and these of about equal width. A
+/// single word that is wider is broken anywhere.
 pub(crate) fn wrap(text: &str, size_px: u32, limit_px: f64) -> Vec<String> {
-    let words: Vec<(&str, f64)> =
-        text.split_ascii_whitespace().map(|word| (word, width(word, size_px))).collect();
+    let pieces = text.split_ascii_whitespace().flat_map(|word| break_word(word, size_px, limit_px));
+    let words: Vec<(&str, f64)> = pieces.map(|word| (word, width(word, size_px))).collect();
     let space_px = width(" ", size_px);
     let lines = break_lines(&words, space_px, limit_px);
     if lines.len() < 2 {
@@ -38,6 +38,21 @@ pub(crate) fn wrap(text: &str, size_px: u32, limit_px: f64) -> Vec<String> {
         }
     }
     break_lines(&words, space_px, wide)
+}
+
+/// A word in pieces no wider than the limit, of at least one character each.
+fn break_word(word: &str, size_px: u32, limit_px: f64) -> Vec<&str> {
+    let (mut pieces, mut start, mut used) = (Vec::new(), 0, 0.0);
+    for (at, character) in word.char_indices() {
+        let advance = f64::from(size_px) * advance_em(character);
+        if at > start && used + advance > limit_px {
+            pieces.push(&word[start..at]);
+            (start, used) = (at, 0.0);
+        }
+        used += advance;
+    }
+    pieces.push(&word[start..]);
+    pieces
 }
 
 /// Fills one line after the other.

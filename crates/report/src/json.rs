@@ -23,3 +23,6 @@ pub fn render(document: &Document) -> Result<String, ReportError> {
     serde_json::to_string_pretty(document)
         .map_err(|error| ReportError::Json { reason: error.to_string() })
 }
+
+#[cfg(test)]
+mod tests;

@@ -49,7 +49,7 @@ pub fn render(document: &Document, figure_folder: &str) -> String {
                 };
                 let _ = writeln!(out, "![{}]({target})\n", line(&figure.title));
                 let text = sentences(&figure.title, &figure.caption);
-                let _ = writeln!(out, "**Figure {figures}.** {}", paragraph(&text));
+                let _ = writeln!(out, "**Figure {figures}.** {}", line(&text));
             }
             Block::Code { language, text } => {
                 let fence = "`".repeat(longest_run(text).max(2) + 1);
@@ -98,7 +98,7 @@ impl Table {
 }
 
 fn write_table(out: &mut String, table: &Table, number: usize) {
-    let _ = writeln!(out, "**Table {number}.** {}\n", paragraph(&sentences(table.title(), "")));
+    let _ = writeln!(out, "**Table {number}.** {}\n", line(&sentences(table.title(), "")));
     write_grid(out, table);
 }
 
@@ -130,13 +130,18 @@ fn cell(text: &str) -> String {
     line(text).replace('|', "\\|")
 }
 
-/// Text on one line.
+/// Text on one line, not at its beginning.
 fn line(text: &str) -> String {
-    paragraph(&text.split_whitespace().collect::<Vec<_>>().join(" "))
+    escaped(&text.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-/// Text on one or more lines.
+/// Text on one or more lines of its own.
 fn paragraph(text: &str) -> String {
+    let lines: Vec<String> = escaped(text).lines().map(|line| guarded(line.trim_start())).collect();
+    lines.join("\n")
+}
+
+fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for span in spans(text.trim()) {
         match span {
@@ -152,11 +157,10 @@ fn paragraph(text: &str) -> String {
             }
         }
     }
-    // What would begin a heading, a list, a quotation or a table at the start of a line.
-    let lines: Vec<String> = out.lines().map(|line| guarded(line.trim_start())).collect();
-    lines.join("\n")
+    out
 }
 
+/// A line that does not begin a heading, a list, a quotation or a table.
 fn guarded(line: &str) -> String {
     let digits = line.len() - line.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     let numbered =

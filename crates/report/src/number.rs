@@ -85,3 +85,6 @@ fn join(re: f64, im: f64, sign: char, digits: usize) -> String {
         format!("{real} {sign} j{}", format_significant(im.abs(), digits))
     }
 }
+
+#[cfg(test)]
+mod tests;

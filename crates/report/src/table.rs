@@ -109,3 +109,6 @@ impl Table {
         &self.rows
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -35,6 +35,6 @@ fn lines_are_few_and_of_about_equal_width() {
     // Filling line by line would leave "= 1" alone on the second one.
     check("roll rate near z = 1", "roll rate near z =", &["roll rate", "near z = 1"]);
     check("roll rate near z\u{a0}=\u{a0}1", "roll rate", &["roll rate", "near", "z\u{a0}=\u{a0}1"]);
-    check("transmissibility of one", "roll rate", &["transmissibility", "of one"]);
+    check("a_very_long_name of it", "a_very", &["a_very", "_long_", "name", "of it"]);
     check("  ", "roll rate", &[]);
 }

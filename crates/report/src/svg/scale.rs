@@ -184,8 +184,8 @@ impl Ticks {
     }
 
     fn logarithmic(view: View, length_px: f64, direction: Direction) -> Self {
-        let style =
-            if view.low > -2.01 && view.high < 3.01 { Style::Decimal } else { Style::Power };
+        let (first, last) = (view.low.ceil(), view.high.floor());
+        let style = if first > -2.5 && last < 3.5 { Style::Decimal } else { Style::Power };
         let mut step = 1.0;
         let mut ticks = Self::major(view, step, style);
         for candidate in [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0] {
@@ -205,9 +205,9 @@ impl Ticks {
             ticks.minor =
                 multiples(&[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]).filter(inside).collect();
         } else if step > 1.5 && decade_px >= 4.0 {
-            ticks.minor = whole_numbers(view.low.ceil(), view.high.floor()).collect();
+            ticks.minor = whole_numbers(first, last).collect();
         }
-        if whole_numbers(view.low.ceil(), view.high.floor()).count() < 2 {
+        if whole_numbers(first, last).count() < 2 {
             ticks.label_between_decades(view, length_px, direction);
         }
         ticks
