@@ -28,7 +28,6 @@ fn triangle_has_the_gram_matrix_of_the_rows_whatever_the_blocks() {
         let difference = triangle.r.transpose() * &triangle.r - &gram;
         assert!(difference.amax() < 1e-13 * gram.amax(), "{height}: {}", difference.amax());
         assert_eq!(triangle.rows(), 101);
-        assert!(triangle.r.lower_triangle().amax() == triangle.r.diagonal().amax() || height > 0);
         for i in 0..7 {
             for j in 0..i {
                 assert_eq!(
