@@ -1,1 +1,51 @@
 //! Reconstruction of a system from sensor records alone, through pairs of transmissibilities.
+//!
+//! # What is here
+//!
+//! | item | what it does |
+//! |---|---|
+//! | [`Record`] | sensor signals of one system under one unknown excitation |
+//! | [`TransmissibilityPair`], [`Theorem`], [`containment`] | Theorem 3.1, exact over integers and rationals |
+//! | [`identify`] | one rational transmissibility from one record |
+//! | [`difference_zeros`] | where the transmissibilities of two records agree |
+//! | [`shared_zeros`] | the zeros that several differences of transmissibilities have in common |
+//! | [`as_printed`] | the whole method: records to eigenvalues |
+//!
+//! Each stage can be called by itself. Results carry ranks, residuals, condition numbers and spreads; what makes a result
+//! untrustworthy is in its [`Doubt`]s.
+//!
+//! # Example
+//!
+//! Two transmissibilities of one system disagree everywhere but at its eigenvalues, here -1 and -2:
+//!
+//! ```
+//! use lti::Transmissibility;
+//! use poly::Poly;
+//! use reconstruct::TransmissibilityPair;
+//!
+//! let p = |descending: &[i64]| Poly::from_descending(descending);
+//! let first = Transmissibility::from_polynomials(p(&[1, 1]), p(&[1, 2]))?;
+//! let second = Transmissibility::from_polynomials(p(&[-1, -1]), p(&[1, 2]))?;
+//! let determinant = TransmissibilityPair::new(first, second).determinant();
+//! assert_eq!((determinant.eval(&-1), determinant.eval(&-2), determinant.eval(&0)), (0, 0, -4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod as_printed;
+mod difference;
+mod error;
+mod identification;
+mod matching;
+mod pair;
+mod record;
+mod shared;
+
+pub use as_printed::{
+    AsPrinted, AsPrintedOptions, Difference, Doubt, ReconstructedMode, as_printed,
+};
+pub use difference::{Zero, difference_zeros};
+pub use error::ReconstructError;
+pub use identification::{Identification, IdentificationOptions, identify};
+pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
+pub use record::{Channel, Record};
+pub use shared::{SharedZero, SharedZeros, shared_zeros};

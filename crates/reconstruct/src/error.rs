@@ -1,0 +1,167 @@
+//! What can be wrong with records, pairs and options.
+
+/// Why records could not be turned into a reconstruction.
+///
+/// Numerical doubt is not an error: condition numbers, residuals and spreads are part of the result.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReconstructError {
+    /// A record without channels or without samples.
+    #[error("record {record:?} holds no samples")]
+    EmptyRecord {
+        /// The record's name.
+        record: String,
+    },
+    /// Channels of different length.
+    #[error(
+        "record {record:?}: channel {channel:?} has {found} samples, the first channel has {expected}"
+    )]
+    UnequalChannels {
+        /// The record's name.
+        record: String,
+        /// The channel that differs.
+        channel: String,
+        /// Its number of samples.
+        found: usize,
+        /// That of the first channel.
+        expected: usize,
+    },
+    /// Two channels with one name.
+    #[error("record {record:?}: channel {channel:?} is there twice")]
+    RepeatedChannel {
+        /// The record's name.
+        record: String,
+        /// The repeated name.
+        channel: String,
+    },
+    /// An infinite or undefined sample.
+    #[error("record {record:?}: sample {sample} of channel {channel:?} is not a finite number")]
+    NotFinite {
+        /// The record's name.
+        record: String,
+        /// The channel.
+        channel: String,
+        /// Index of the first such sample, from 0.
+        sample: usize,
+    },
+    /// An index beyond the channels of a record.
+    #[error("record {record:?} has {channels} channel(s), so that there is none of index {index}")]
+    NoSuchChannel {
+        /// The record's name.
+        record: String,
+        /// The index asked for.
+        index: usize,
+        /// How many channels there are.
+        channels: usize,
+    },
+    /// Fewer records than the method needs.
+    #[error("{found} record(s), but {needed} are needed, each with an excitation of its own")]
+    TooFewRecords {
+        /// How many were given.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// Fewer sensors than the method needs.
+    #[error(
+        "{found} sensor channel(s), but {needed} are needed: one pseudo input and two pseudo outputs, so that \
+         eigenvalues can be told from the zeros of one pair of sensors"
+    )]
+    TooFewSensors {
+        /// How many were given.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// Records with different sample periods.
+    #[error(
+        "record {second:?} is sampled every {found_s} s, record {first:?} every {expected_s} s: resample one of them"
+    )]
+    DifferentSampling {
+        /// The first record.
+        first: String,
+        /// Its sample period in seconds.
+        expected_s: f64,
+        /// The record that differs.
+        second: String,
+        /// Its sample period in seconds.
+        found_s: f64,
+    },
+    /// Records with different channels.
+    #[error(
+        "record {second:?} has channels {found}, record {first:?} has {expected}: the same sensors are needed, in the same order"
+    )]
+    DifferentChannels {
+        /// The first record.
+        first: String,
+        /// Its channels.
+        expected: String,
+        /// The record that differs.
+        second: String,
+        /// Its channels.
+        found: String,
+    },
+    /// A tolerance that is not a positive, finite number.
+    #[error("{name} is {value}, but must be positive and finite")]
+    InvalidTolerance {
+        /// Which option.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The determinant's degree contradicts Theorem 3.1.
+    #[error(
+        "det Delta has degree {degree}, which is neither zero identically nor at least the order {order}: \
+         the two transmissibilities do not belong to one system of that order"
+    )]
+    NotOneSystem {
+        /// Degree found.
+        degree: usize,
+        /// Order claimed.
+        order: usize,
+    },
+    /// Two transmissibilities that agree: their difference has no zeros to offer.
+    #[error(
+        "records {first:?} and {second:?} give the same transmissibility from {input:?} to {output:?}: \
+         they need excitations that enter the system differently"
+    )]
+    SameExcitation {
+        /// The first record.
+        first: String,
+        /// The second record.
+        second: String,
+        /// The pseudo input.
+        input: String,
+        /// The pseudo output.
+        output: String,
+    },
+    /// One transmissibility could not be identified.
+    #[error("record {record:?}, transmissibility from {input:?} to {output:?}: {message}")]
+    Identification {
+        /// The record.
+        record: String,
+        /// The pseudo input.
+        input: String,
+        /// The pseudo output.
+        output: String,
+        /// What went wrong, with its numbers.
+        message: String,
+    },
+    /// A polynomial or realization step failed.
+    #[error("{step}: {message}")]
+    Step {
+        /// Which step.
+        step: &'static str,
+        /// What went wrong, with its numbers.
+        message: String,
+    },
+}
+
+/// A tolerance must be positive and finite: zero would make every comparison of computed numbers fail.
+pub(crate) fn check_tolerance(name: &'static str, value: f64) -> Result<(), ReconstructError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(ReconstructError::InvalidTolerance { name, value })
+    }
+}
