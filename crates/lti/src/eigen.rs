@@ -4,14 +4,13 @@ use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::{Mat, MatRef, Par};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use crate::LtiError;
+use crate::dense::CVector;
 use crate::double_double::DoubleDouble;
 use crate::scaling::{Balanced, balance};
-
-pub(crate) type CVector = DVector<Complex<f64>>;
 
 /// One eigenvalue with its vectors: A v = lambda v, w^H A = lambda w^H, |v| = 1 and w^H v = 1.
 #[derive(Debug, Clone)]
@@ -27,9 +26,10 @@ pub(crate) struct Eigenpair {
     pub(crate) entrywise_condition: f64,
 }
 
-/// The order of eigenvalues everywhere in this crate: by real part, then by imaginary part, ascending.
+/// The order of eigenvalues everywhere in this crate: by real part, then by modulus of the imaginary part,
+/// ascending, positive imaginary part first. The roots of polynomials come in the same order.
 pub(crate) fn compare(x: &Complex<f64>, y: &Complex<f64>) -> core::cmp::Ordering {
-    x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im))
+    x.re.total_cmp(&y.re).then(x.im.abs().total_cmp(&y.im.abs())).then(y.im.total_cmp(&x.im))
 }
 
 /// The eigenvalues of a square finite matrix in the order of [`compare`]; conjugate pairs are exact.

@@ -107,6 +107,12 @@ pub enum LtiError {
         /// The frequency.
         frequency_rad_s: f64,
     },
+    /// A transfer function was asked for at a pole.
+    #[error("the system has a pole at {point}; its transfer function is infinite there")]
+    PoleAtPoint {
+        /// The point of the s or z plane.
+        point: Complex<f64>,
+    },
     /// A discrete pole at 0 has no counterpart in continuous time.
     #[error("z = 0 has no logarithm: a deadbeat pole has no counterpart in continuous time")]
     ZeroHasNoLogarithm,
@@ -122,9 +128,11 @@ pub enum LtiError {
         rounding_level: f64,
     },
     /// A polynomial could not be treated.
-    #[error("polynomial: {message}")]
+    #[error("{operation}: {source}")]
     Polynomial {
-        /// The message of the polynomial crate.
-        message: String,
+        /// What was computed.
+        operation: &'static str,
+        /// What the polynomial crate found.
+        source: poly::PolyError,
     },
 }

@@ -3,10 +3,10 @@
 use nalgebra::DMatrix;
 use num_complex::Complex;
 
+use crate::dense::CMatrix;
+use crate::double_double::DoubleDouble;
 use crate::scaling::balance_similarity;
 use crate::{LtiError, StateSpace, TimeDomain};
-
-type CMatrix = DMatrix<Complex<f64>>;
 
 impl<T: TimeDomain> StateSpace<T> {
     /// G = C (x I - A)^-1 B + D at the given frequencies, each p x m.
@@ -15,7 +15,8 @@ impl<T: TimeDomain> StateSpace<T> {
     /// negative.
     ///
     /// Method: A is balanced by powers of two and reduced to Hessenberg form once; each frequency is a
-    /// Hessenberg solve with partial pivoting.
+    /// Hessenberg solve with partial pivoting and one step of refinement with a double-double residual, so that
+    /// the response is accurate next to zeros as well.
     ///
     /// # Errors
     ///
@@ -33,7 +34,10 @@ impl<T: TimeDomain> StateSpace<T> {
     /// assert!((g.re - 0.5).abs() < 1e-15 && (g.im + 0.5).abs() < 1e-15);
     /// # Ok::<(), lti::LtiError>(())
     /// ```
-    pub fn frequency_response(&self, frequencies_rad_s: &[f64]) -> Result<Vec<CMatrix>, LtiError> {
+    pub fn frequency_response(
+        &self,
+        frequencies_rad_s: &[f64],
+    ) -> Result<Vec<DMatrix<Complex<f64>>>, LtiError> {
         let plan = Plan::new(self);
         let mut responses = Vec::with_capacity(frequencies_rad_s.len());
         for &frequency_rad_s in frequencies_rad_s {
@@ -50,58 +54,96 @@ impl<T: TimeDomain> StateSpace<T> {
         Ok(responses)
     }
 
-    /// G = C (x I - A)^-1 B + D at one point x of the s or z plane; `None` at a pole.
-    pub(crate) fn evaluate(&self, point: Complex<f64>) -> Option<CMatrix> {
-        Plan::new(self).evaluate(point)
+    /// G = C (x I - A)^-1 B + D at one point x of the s plane (in rad/s) or the z plane.
+    ///
+    /// # Errors
+    ///
+    /// [`LtiError::NotFiniteArgument`]; [`LtiError::PoleAtPoint`] if a pole lies there exactly.
+    pub fn evaluate(&self, point: Complex<f64>) -> Result<DMatrix<Complex<f64>>, LtiError> {
+        for value in [point.re, point.im] {
+            if !value.is_finite() {
+                return Err(LtiError::NotFiniteArgument { quantity: "the point", value });
+            }
+        }
+        Plan::new(self).evaluate(point).ok_or(LtiError::PoleAtPoint { point })
     }
 }
 
-/// The system in coordinates where A is upper Hessenberg.
+/// The system in balanced coordinates, and the Hessenberg form H = Q^T A Q of its state matrix.
 struct Plan {
-    hessenberg: DMatrix<f64>,
+    a: DMatrix<f64>,
     b: DMatrix<f64>,
     c: DMatrix<f64>,
     d: DMatrix<f64>,
+    q: CMatrix,
+    hessenberg: DMatrix<f64>,
 }
 
 impl Plan {
     fn new<T: TimeDomain>(system: &StateSpace<T>) -> Self {
         let n = system.order();
-        let (balanced, diagonal) = balance_similarity(system.a());
+        let (a, diagonal) = balance_similarity(system.a());
         let mut b = system.b().clone();
         let mut c = system.c().clone();
         for i in 0..n {
             b.row_mut(i).unscale_mut(diagonal[i]);
             c.column_mut(i).scale_mut(diagonal[i]);
         }
-        if n > 2 {
-            let (q, hessenberg) = balanced.hessenberg().unpack();
-            Self { b: q.transpose() * b, c: c * q, hessenberg, d: system.d().clone() }
+        let (q, hessenberg) = if n > 2 {
+            a.clone().hessenberg().unpack()
         } else {
-            Self { hessenberg: balanced, b, c, d: system.d().clone() }
-        }
+            (DMatrix::identity(n, n), a.clone())
+        };
+        Self { a, b, c, d: system.d().clone(), q: q.map(|x| Complex::new(x, 0.0)), hessenberg }
     }
 
+    /// `None` at a pole.
     fn evaluate(&self, point: Complex<f64>) -> Option<CMatrix> {
-        let n = self.hessenberg.nrows();
+        let b = self.b.map(|x| Complex::new(x, 0.0));
+        let solution = self.solve(point, &b)?;
+        // One step of refinement. Solution and correction are kept apart, so that C x is accurate also where it
+        // nearly vanishes, next to a zero.
+        let correction = self.solve(point, &self.residual(point, &solution))?;
+        let (p, m) = self.d.shape();
+        let response = CMatrix::from_fn(p, m, |i, j| {
+            let mut re = DoubleDouble::from(self.d[(i, j)]);
+            let mut im = DoubleDouble::from(0.0);
+            for k in 0..self.a.nrows() {
+                for x in [solution[(k, j)], correction[(k, j)]] {
+                    re = re + DoubleDouble::product(self.c[(i, k)], x.re);
+                    im = im + DoubleDouble::product(self.c[(i, k)], x.im);
+                }
+            }
+            Complex::new(re.value(), im.value())
+        });
+        response.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(response)
+    }
+
+    fn solve(&self, point: Complex<f64>, right: &CMatrix) -> Option<CMatrix> {
         let mut matrix = self.hessenberg.map(|x| Complex::new(-x, 0.0));
-        for i in 0..n {
+        for i in 0..matrix.nrows() {
             matrix[(i, i)] += point;
         }
-        let mut solution = self.b.map(|x| Complex::new(x, 0.0));
+        let mut solution = self.q.adjoint() * right;
         solve_hessenberg(&mut matrix, &mut solution)?;
-        let (p, m) = self.d.shape();
-        let mut response = CMatrix::zeros(p, m);
-        for j in 0..m {
-            for i in 0..p {
-                let mut sum = Complex::new(self.d[(i, j)], 0.0);
-                for k in 0..n {
-                    sum += solution[(k, j)] * self.c[(i, k)];
-                }
-                response[(i, j)] = sum;
+        Some(&self.q * solution)
+    }
+
+    /// B - (x I - A) X, each entry summed in double-double arithmetic and then rounded.
+    fn residual(&self, point: Complex<f64>, solution: &CMatrix) -> CMatrix {
+        let n = self.a.nrows();
+        CMatrix::from_fn(n, solution.ncols(), |i, j| {
+            let x = solution[(i, j)];
+            let mut re = DoubleDouble::from(self.b[(i, j)]);
+            let mut im = DoubleDouble::from(0.0);
+            re = re - DoubleDouble::product(point.re, x.re) + DoubleDouble::product(point.im, x.im);
+            im = im - DoubleDouble::product(point.re, x.im) - DoubleDouble::product(point.im, x.re);
+            for k in 0..n {
+                re = re + DoubleDouble::product(self.a[(i, k)], solution[(k, j)].re);
+                im = im + DoubleDouble::product(self.a[(i, k)], solution[(k, j)].im);
             }
-        }
-        response.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(response)
+            Complex::new(re.value(), im.value())
+        })
     }
 }
 

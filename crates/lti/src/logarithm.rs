@@ -5,12 +5,12 @@ use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use crate::LtiError;
+use crate::complex_schur::{ComplexSchur, complex_schur};
+use crate::dense::CMatrix;
 use crate::eigen::eigenvalues;
 use crate::exponential::exponential;
 use crate::scaling::{balance_similarity, norm_1};
 use crate::state_space::{check_finite, check_square};
-
-type CMatrix = DMatrix<Complex<f64>>;
 
 /// A real logarithm, and how well its exponential gives the matrix back.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,9 +54,9 @@ pub fn logarithm(a: &DMatrix<f64>) -> Result<Logarithm, LtiError> {
     }
     check_spectrum(a)?;
     let (balanced, diagonal) = balance_similarity(a);
-    let (schur_vectors, triangular) = complex_schur(&balanced)?;
-    let (logarithm, square_roots) = logarithm_of_triangular(&triangular);
-    let product = &schur_vectors * logarithm * schur_vectors.adjoint();
+    let ComplexSchur { q, t } = complex_schur(&balanced)?;
+    let (logarithm, square_roots) = logarithm_of_triangular(&t);
+    let product = &q * logarithm * q.adjoint();
     let mut value = product.map(|x| x.re);
     for j in 0..n {
         for i in 0..n {
@@ -79,33 +79,6 @@ fn check_spectrum(a: &DMatrix<f64>) -> Result<(), LtiError> {
         }
     }
     Ok(())
-}
-
-/// A = Q T Q^H with Q unitary and T upper triangular.
-fn complex_schur(a: &DMatrix<f64>) -> Result<(CMatrix, CMatrix), LtiError> {
-    let n = a.nrows();
-    let complex = a.map(|x| Complex::new(x, 0.0));
-    // A matrix that is triangular already (a diagonal A, a chain of integrators) is left as it is.
-    if (0..n).all(|j| (j + 1..n).all(|i| a[(i, j)] == 0.0)) {
-        return Ok((CMatrix::identity(n, n), complex));
-    }
-    let limit = 1000 * n;
-    let schur = complex
-        .clone()
-        .try_schur(f64::EPSILON, limit)
-        .ok_or(LtiError::NotConverged { operation: "the Schur form", residual: f64::NAN })?;
-    let (q, mut t) = schur.unpack();
-    for j in 0..n {
-        for i in j + 1..n {
-            t[(i, j)] = Complex::new(0.0, 0.0);
-        }
-    }
-    let residual = (&q * &t * q.adjoint() - &complex).norm() / complex.norm();
-    if residual < 1e-10 {
-        Ok((q, t))
-    } else {
-        Err(LtiError::NotConverged { operation: "the Schur form", residual })
-    }
 }
 
 fn logarithm_of_triangular(triangular: &CMatrix) -> (CMatrix, usize) {
@@ -248,9 +221,11 @@ fn superdiagonal_of_logarithm(a: Complex<f64>, b: Complex<f64>, t: Complex<f64>)
     t * difference / (b - a)
 }
 
-/// atanh(z) = (log(1 + z) - log(1 - z)) / 2 with log1p for the real part near 0.
+/// atanh(z) = log(1 + 2 z / (1 - z)) / 2, with full relative accuracy for small z.
 fn atanh(z: Complex<f64>) -> Complex<f64> {
-    (log(Complex::new(1.0, 0.0) + z) - log(Complex::new(1.0, 0.0) - z)) * 0.5
+    let w = z * 2.0 / (1.0 - z);
+    let modulus = 0.5 * (2.0 * w.re + w.norm_sqr()).ln_1p();
+    Complex::new(modulus, w.im.atan2(1.0 + w.re)) * 0.5
 }
 
 fn complex_norm_1(matrix: &CMatrix) -> f64 {

@@ -21,8 +21,8 @@ pub struct Pole {
 }
 
 impl<T: TimeDomain> StateSpace<T> {
-    /// The poles: the eigenvalues of A with their multiplicities, sorted by real and then by imaginary part,
-    /// ascending. Conjugate pairs are exactly conjugate, real poles exactly real.
+    /// The poles: the eigenvalues of A with their multiplicities, sorted by real part, then by modulus of the
+    /// imaginary part, positive imaginary part first. Conjugate pairs are exactly conjugate, real poles exactly real.
     ///
     /// Modes that the inputs don't reach or the outputs don't show are included. A pole of multiplicity k with a
     /// single eigenvector comes out as k poles about u^(1/k) apart; its condition says so.
@@ -39,7 +39,7 @@ impl<T: TimeDomain> StateSpace<T> {
     /// use num_complex::Complex;
     /// let rotation = StateSpace::<Continuous>::new(
     ///     dmatrix![0.0, 2.0; -2.0, 0.0], DMatrix::zeros(2, 0), DMatrix::zeros(0, 2), DMatrix::zeros(0, 0))?;
-    /// assert_eq!(rotation.poles()?, [Complex::new(0.0, -2.0), Complex::new(0.0, 2.0)]);
+    /// assert_eq!(rotation.poles()?, [Complex::new(0.0, 2.0), Complex::new(0.0, -2.0)]);
     /// # Ok::<(), lti::LtiError>(())
     /// ```
     pub fn poles(&self) -> Result<Vec<Complex<f64>>, LtiError> {

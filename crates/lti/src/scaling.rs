@@ -30,10 +30,11 @@ pub(crate) struct Balanced {
 
 /// Balances a square matrix: rows and columns of like norm, largest entry about 1.
 pub(crate) fn balance(a: &DMatrix<f64>) -> Balanced {
-    let scale = power_of_two(exponent(a.amax()));
-    let (matrix, diagonal) = balance_similarity(&(a / scale));
-    // Balancing lowers norms; the entries stay of order one or below.
-    Balanced { matrix, diagonal, scale }
+    let before = power_of_two(exponent(a.amax()));
+    let (matrix, diagonal) = balance_similarity(&(a / before));
+    // Balancing can lower the norm a lot where the states had odd units.
+    let after = power_of_two(exponent(matrix.amax()));
+    Balanced { matrix: matrix / after, diagonal, scale: before * after }
 }
 
 /// Only the diagonal similarity of [`balance`].

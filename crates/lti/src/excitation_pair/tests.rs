@@ -1,0 +1,1 @@
+//! Tests of `excitation_pair.rs`.

@@ -1,0 +1,1 @@
+//! Tests of `invariant_zeros.rs`.
