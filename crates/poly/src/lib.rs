@@ -54,7 +54,9 @@ pub use berkowitz::characteristic_polynomial;
 pub use cancellation::{Cancellation, Cancelled, CancelledPair};
 pub use error::PolyError;
 pub use evaluation::Evaluation;
-pub use matrix::PolyMatrix;
+pub use matrix::{Determinant, PolyMatrix};
+#[cfg(feature = "faer")]
+pub use matrix::{FiniteZero, FiniteZeros};
 pub use mroots::{Method, Mroots, MrootsOptions, Multiplicities, Root, mroots};
 pub use num_complex::Complex;
 pub use poly::{Poly, PolyDisplay};

@@ -1,11 +1,20 @@
 //! A matrix of polynomials.
 
 mod determinant;
+#[cfg(feature = "faer")]
+mod finite_zeros;
+mod floating;
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
 #[cfg(test)]
 mod tests;
 
 use crate::{Poly, PolyError, Ring};
 use std::ops::Index;
+
+#[cfg(feature = "faer")]
+pub use finite_zeros::{FiniteZero, FiniteZeros};
+pub use floating::Determinant;
 
 /// A rows x columns matrix of polynomials, stored row by row.
 ///

@@ -1,5 +1,7 @@
 //! The roots of a polynomial as a multiset, each with its condition number, residual and error estimate.
 
+pub(crate) use conjugate::symmetrize;
+
 mod common_factor;
 mod conjugate;
 mod pejorative;

@@ -131,7 +131,7 @@ impl<T: Ring> PolyMatrix<T> {
         Ok(if n % 2 == 1 { sum } else { sum.map(|entry| -entry) })
     }
 
-    fn check_square(&self) -> Result<(), PolyError> {
+    pub(crate) fn check_square(&self) -> Result<(), PolyError> {
         if self.rows == self.columns {
             Ok(())
         } else {

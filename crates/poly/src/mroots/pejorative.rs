@@ -16,8 +16,9 @@ type C = Complex<f64>;
 /// Hypotheses with more Gauss-Newton steps than this are given up.
 const MAXIMUM_STEPS: usize = 40;
 
-/// Relative size of a step that changes nothing more.
-const NEGLIGIBLE_STEP: f64 = 1e-17;
+/// Relative size of a step that changes nothing more, not even the low parts of the doubled roots that are rounded to
+/// floats in the end.
+const NEGLIGIBLE_STEP: f64 = 1e-24;
 
 /// Scaled coefficients below this could lose bits to underflow.
 const SMALLEST_HULL: f64 = -850.0;
