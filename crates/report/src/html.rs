@@ -19,7 +19,7 @@ use std::fmt::Write;
 ///
 /// # Errors
 ///
-/// What [`svg::render`](crate::svg::render) returns for one of the figures, or [`ReportError::DuplicateFigureId`].
+/// What [`svg::render`] returns for one of the figures, or [`ReportError::DuplicateFigureId`].
 ///
 /// # Example
 ///

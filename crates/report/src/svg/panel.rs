@@ -2,7 +2,7 @@
 
 use super::grid::{Cell, LABEL_PX, LINE_PX, TICK_LENGTH_PX, TITLE_PX};
 use super::ink::{BLACK, GREY, GRID};
-use super::scale::TICK_PX;
+use super::scale::{TICK_PX, Ticks, View};
 use super::{marks, notes};
 use crate::figure::{Guide, Scale};
 use crate::series::{Dash, Ellipse, Fill, Series};
@@ -34,31 +34,45 @@ pub(super) fn draw(scene: &mut Scene, cell: &Cell<'_>, colours: &[&'static str],
 
 fn axes(scene: &mut Scene, cell: &Cell<'_>) {
     let frame = &cell.frame;
-    let (x_style, y_style) = (cell.x_ticks.style, cell.y_ticks.style);
+    // The library counts in steps from tick to tick: its own axes give up below a span of 2e-16.
+    let (x, x_format) = in_steps(frame.x, &cell.x_ticks);
+    let (y, y_format) = in_steps(frame.y, &cell.y_ticks);
     let theme = Theme {
         axis_color: BLACK.into(),
         tick_color: BLACK.into(),
         grid_color: GRID.into(),
         ..Theme::light()
     };
-    let mut layout = Layout::new((frame.x.low, frame.x.high), (frame.y.low, frame.y.high))
+    let mut layout = Layout::new((x.0, x.1), (y.0, y.1))
         .with_width(cell.width)
         .with_height(cell.height)
         .with_force_margins(frame.left, cell.width - frame.right())
         .with_force_margins_y(frame.top, cell.height - frame.bottom())
-        .with_x_tick_step(cell.x_ticks.step)
-        .with_y_tick_step(cell.y_ticks.step)
-        .with_x_tick_format(TickFormat::Custom(Arc::new(move |unit| x_style.label(unit))))
-        .with_y_tick_format(TickFormat::Custom(Arc::new(move |unit| y_style.label(unit))))
+        .with_x_tick_step(x.2)
+        .with_y_tick_step(y.2)
+        .with_x_tick_format(x_format)
+        .with_y_tick_format(y_format)
         .with_tick_size(TICK_PX)
         .with_tick_length(TICK_LENGTH_PX)
         .with_grid_line_width(0.8)
         .with_theme(theme);
     layout.axis_line = AxisLine::Box;
-    (layout.x_axis_min, layout.x_axis_max) = (Some(frame.x.low), Some(frame.x.high));
-    (layout.y_axis_min, layout.y_axis_max) = (Some(frame.y.low), Some(frame.y.high));
+    (layout.x_axis_min, layout.x_axis_max) = (Some(x.0), Some(x.1));
+    (layout.y_axis_min, layout.y_axis_max) = (Some(y.0), Some(y.1));
     add_axes_and_grid(scene, &ComputedLayout::from_layout(&layout), &layout);
     more_ticks(scene, cell);
+}
+
+/// Ends of an axis in steps, distance of its ticks in steps (one, or infinite where there are none), and how ticks are labelled.
+fn in_steps(view: View, ticks: &Ticks) -> ((f64, f64, f64), TickFormat) {
+    let (step, style) = (ticks.step, ticks.style);
+    if step.is_infinite() {
+        return ((0.0, 1.0, f64::INFINITY), TickFormat::Auto);
+    }
+    // Ticks on the frame stay on it.
+    let settled = |end: f64| if (end - end.round()).abs() < 1e-9 { end.round() } else { end };
+    let format = TickFormat::Custom(Arc::new(move |count: f64| style.label(count.round() * step)));
+    ((settled(view.low / step), settled(view.high / step), 1.0), format)
 }
 
 /// The ticks of a logarithmic axis that are not whole powers of ten.

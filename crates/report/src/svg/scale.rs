@@ -169,18 +169,18 @@ impl Ticks {
     }
 
     fn linear(view: View, length_px: f64, direction: Direction) -> Self {
-        let mut exponent = (view.span() * 20.0 / length_px).log10().floor();
-        loop {
+        let first = (view.span() * 20.0 / length_px).log10().floor();
+        for exponent in [first, first + 1.0, first + 2.0, first + 3.0] {
             for factor in [1.0, 2.0, 5.0] {
                 let step = power_of_ten(exponent) * factor;
-                let style = linear_style(view, exponent);
-                let ticks = Self::major(view, step, style);
+                let ticks = Self::major(view, step, linear_style(view, exponent));
                 if ticks.fits(step / view.span() * length_px, direction) || step > view.span() {
                     return ticks;
                 }
             }
-            exponent += 1.0;
         }
+        // Not reached while the span has a length; an axis without ticks is better than none.
+        Self::major(view, f64::INFINITY, Style::Fixed(0))
     }
 
     fn logarithmic(view: View, length_px: f64, direction: Direction) -> Self {
@@ -279,11 +279,10 @@ fn power_of_ten(exponent: f64) -> f64 {
 
 fn linear_style(view: View, step_exponent: f64) -> Style {
     let largest = view.low.abs().max(view.high.abs());
-    let leading = largest.log10().floor();
-    if largest < 1e5 && step_exponent > -7.5 && (leading > -4.5 || step_exponent > -4.5) {
+    if (1e-4..1e5).contains(&largest) {
         Style::Fixed(count(-step_exponent))
     } else {
-        Style::Scientific(count(leading - step_exponent))
+        Style::Scientific(count(largest.log10().floor() - step_exponent))
     }
 }
 

@@ -168,6 +168,35 @@ fn a_unit_is_as_long_in_x_as_in_y() {
     }
 }
 
+/// Ticks are drawn by the plotting library and points by us: both have to mean the same place.
+#[test]
+fn a_point_is_where_its_tick_says() {
+    let check = |x: Axis, y: Axis, point: (f64, f64), labels: (&str, &str)| {
+        let points = Points::new("", Marker::Circle, [point]);
+        let svg =
+            render(&Figure::new("f", "", "").with(Panel::new("", x, y).with(points))).unwrap();
+        let document = Document::parse(&svg).unwrap();
+        let circle = document.descendants().find(|node| node.has_tag_name("circle")).unwrap();
+        let (dx, dy) = shift(circle);
+        let texts = texts(&document);
+        let label = |text| texts.iter().find(|placed| placed.text == text).unwrap().area;
+        let (below, beside) = (label(labels.0), label(labels.1));
+        let across = 0.5 * (below[0] + below[2]) - number(circle, "cx") - dx;
+        let down = 0.5 * (beside[1] + beside[3]) - number(circle, "cy") - dy;
+        // Letters are not quite centred in the height of their font.
+        assert!(
+            across.abs() < 0.02 && down.abs() < 1.5,
+            "{labels:?} is {across} and {down} pixels off"
+        );
+    };
+    let linear = |low, high| Axis::linear("a").range(low, high);
+    let log = |low, high| Axis::log("a").range(low, high);
+    check(linear(-1.3, 2.7), linear(0.0, 50.0), (0.5, 20.0), ("0.5", "20"));
+    check(linear(0.0, 1e-20), linear(1e5, 1e6), (4e-21, 5e5), ("4×10⁻²¹", "5×10⁵"));
+    check(log(0.3, 200.0), log(1e-20, 1e-3), (10.0, 1e-12), ("10", "10⁻¹²"));
+    check(log(2.0, 17.0), log(1.1, 1.9), (5.0, 1.5), ("5", "1.5"));
+}
+
 #[test]
 fn what_lies_outside_a_range_is_not_drawn() {
     let circles = |range: (f64, f64)| {
@@ -180,6 +209,33 @@ fn what_lies_outside_a_range_is_not_drawn() {
     assert_eq!(circles((0.0, 1.0)), 3);
     assert_eq!(circles((0.1, 0.9)), 1);
     assert_eq!(circles((7.0, 8.0)), 0);
+}
+
+#[test]
+fn the_narrowest_and_the_widest_ranges_are_drawn() {
+    let limits = [
+        (1.0, 1.0 + 2e-12),
+        (-1e300, 1e300),
+        (0.0, 1e-300),
+        (1e300 * (1.0 - 2e-12), 1e300),
+        (-1e-300, 1e300),
+    ];
+    let logs = [
+        (1.0, 1.0 + 2e-12),
+        (1e-300, 1e300),
+        (1e-300, 1e-300 * (1.0 + 2e-12)),
+        (1e300 * (1.0 - 2e-12), 1e300),
+    ];
+    let linear = limits.map(|(low, high)| Axis::linear("x").range(low, high));
+    for axis in linear.into_iter().chain(logs.map(|(low, high)| Axis::log("x").range(low, high))) {
+        let (low, high) = axis.range.unwrap();
+        let panel = Panel::new("", axis.clone(), Axis::linear("y")).unit_circle();
+        let line = Line::new("line", Dash::Solid, [(low, 0.0), (high, 1.0)]);
+        let band = Band::new("band", [(low, 0.0, 1.0), (high, 0.5, 1e300)]);
+        let svg = render(&Figure::new("f", "", "").with(panel.with(line).with(band))).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{axis:?}");
+        assert_eq!(check_texts(&svg), Ok(()), "{axis:?}");
+    }
 }
 
 #[test]
