@@ -6,6 +6,9 @@
 //! Each evaluation is scaled by a power of two near the root's modulus, so coefficients may spread over the
 //! whole range of floats.
 
+#[cfg(test)]
+mod tests;
+
 use crate::PolyError;
 use crate::doubled::DoubledComplex;
 use crate::newton_polygon::NewtonPolygon;
@@ -13,6 +16,8 @@ use crate::poly::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound
 use num_complex::Complex;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+
+type C = Complex<f64>;
 
 /// Moduli of roots must lie within 2^-LIMIT .. 2^LIMIT, so that differences don't overflow.
 const LIMIT: f64 = 1020.0;
@@ -26,7 +31,7 @@ const FAR: f64 = 1e100;
 /// Approximate roots and how they were found.
 #[derive(Debug, Clone)]
 pub(crate) struct Approximations {
-    pub(crate) roots: Vec<Complex<f64>>,
+    pub(crate) roots: Vec<C>,
     pub(crate) iterations: usize,
     pub(crate) converged: bool,
 }
@@ -34,16 +39,16 @@ pub(crate) struct Approximations {
 /// A polynomial with nonzero first and last coefficients, evaluated under scaling.
 #[derive(Debug, Clone)]
 pub(crate) struct ScaledPoly {
-    coefficients: Vec<Complex<f64>>,
+    coefficients: Vec<C>,
     polygon: NewtonPolygon,
-    cache: BTreeMap<i64, Vec<Complex<f64>>>,
+    cache: BTreeMap<i64, Vec<C>>,
 }
 
 /// A value of the scaled polynomial `p(2^e y) / 2^shift` and its derivative with respect to `y`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ScaledValue {
-    pub(crate) value: Complex<f64>,
-    pub(crate) derivative: Complex<f64>,
+    pub(crate) value: C,
+    pub(crate) derivative: C,
     /// Bound on the rounding error of `value`.
     pub(crate) bound: f64,
     /// Sum of the moduli of the terms.
@@ -58,7 +63,7 @@ pub(crate) enum Precision {
 }
 
 /// `x 2^exponent` without overflow on the way.
-pub(crate) fn scale_by_power(x: Complex<f64>, exponent: i64) -> Complex<f64> {
+pub(crate) fn scale_by_power(x: C, exponent: i64) -> C {
     let mut rest = exponent.clamp(-4000, 4000);
     let mut x = x;
     while rest != 0 {
@@ -72,7 +77,7 @@ pub(crate) fn scale_by_power(x: Complex<f64>, exponent: i64) -> Complex<f64> {
 }
 
 /// Binary logarithm of the modulus; minus infinity for zero.
-pub(crate) fn log2_modulus(x: Complex<f64>) -> f64 {
+pub(crate) fn log2_modulus(x: C) -> f64 {
     // Scale up first: the modulus of a subnormal has few digits.
     let large = x.re.abs().max(x.im.abs());
     if large == 0.0 {
@@ -101,7 +106,7 @@ fn float(k: usize) -> f64 {
 }
 
 impl ScaledPoly {
-    pub(crate) fn new(coefficients: Vec<Complex<f64>>) -> Self {
+    pub(crate) fn new(coefficients: Vec<C>) -> Self {
         let heights: Vec<f64> = coefficients.iter().map(|&c| log2_modulus(c)).collect();
         let polygon = NewtonPolygon::new(&heights);
         Self { coefficients, polygon, cache: BTreeMap::new() }
@@ -125,19 +130,19 @@ impl ScaledPoly {
     }
 
     /// The power of two nearest to the modulus of `z`.
-    pub(crate) fn exponent(z: Complex<f64>) -> i64 {
+    pub(crate) fn exponent(z: C) -> i64 {
         rounded(log2_modulus(z).clamp(-LIMIT, LIMIT))
     }
 
     /// Coefficients of `p(2^exponent y)` divided by a power of two near the largest of them.
-    pub(crate) fn scaled(&mut self, exponent: i64) -> &[Complex<f64>] {
+    pub(crate) fn scaled(&mut self, exponent: i64) -> &[C] {
         let coefficients = &self.coefficients;
         self.cache.entry(exponent).or_insert_with(|| {
             let degrees = 0_i64..;
             let shift = coefficients
                 .iter()
                 .zip(degrees.clone())
-                .filter(|(c, _)| **c != Complex::new(0.0, 0.0))
+                .filter(|(c, _)| **c != C::new(0.0, 0.0))
                 .map(|(&c, k)| rounded(log2_modulus(c)) + exponent * k)
                 .max()
                 .unwrap_or(0);
@@ -150,18 +155,13 @@ impl ScaledPoly {
     }
 
     /// Evaluates at `2^exponent y`.
-    pub(crate) fn evaluate(
-        &mut self,
-        y: Complex<f64>,
-        exponent: i64,
-        precision: Precision,
-    ) -> ScaledValue {
+    pub(crate) fn evaluate(&mut self, y: C, exponent: i64, precision: Precision) -> ScaledValue {
         let coefficients = self.scaled(exponent);
         let terms = absolute_sum(coefficients, y.norm());
         match precision {
             Precision::Plain => {
                 let evaluation = horner_with_bound(coefficients, y, 2.24);
-                let mut derivative = Complex::new(0.0, 0.0);
+                let mut derivative = C::new(0.0, 0.0);
                 for (k, c) in coefficients.iter().enumerate().skip(1).rev() {
                     derivative = derivative * y + c * float(k);
                 }
@@ -181,7 +181,7 @@ impl ScaledPoly {
     }
 
     /// Starting points: on each circle of the Newton polygon, equally spaced.
-    fn starts(&self) -> Result<Vec<Complex<f64>>, PolyError> {
+    fn starts(&self) -> Result<Vec<C>, PolyError> {
         let mut starts = Vec::with_capacity(self.degree());
         for (circle, edge) in self.polygon.edges().enumerate() {
             if edge.log2_modulus.abs() > LIMIT {
@@ -193,7 +193,7 @@ impl ScaledPoly {
                 let angle = TAU
                     * (float(k) / float(edge.roots) + float(circle) / float(self.degree()))
                     + TWIST;
-                starts.push(scale_by_power(Complex::from_polar(radius, angle), rounded(exponent)));
+                starts.push(scale_by_power(C::from_polar(radius, angle), rounded(exponent)));
             }
         }
         Ok(starts)
@@ -219,12 +219,7 @@ impl ScaledPoly {
     }
 
     /// One correction of root `i`: the new value and what to do next.
-    fn step(
-        &mut self,
-        roots: &[Complex<f64>],
-        i: usize,
-        precision: Precision,
-    ) -> (Complex<f64>, Option<Precision>) {
+    fn step(&mut self, roots: &[C], i: usize, precision: Precision) -> (C, Option<Precision>) {
         let z = roots[i];
         let exponent = Self::exponent(z);
         let y = scale_by_power(z, -exponent);
@@ -235,7 +230,7 @@ impl ScaledPoly {
                 Precision::Doubled => (z, None),
             };
         }
-        let mut repulsion = Complex::new(0.0, 0.0);
+        let mut repulsion = C::new(0.0, 0.0);
         for (j, &other) in roots.iter().enumerate() {
             let distance = y - scale_by_power(other, -exponent);
             let size = distance.re.abs().max(distance.im.abs());
@@ -248,7 +243,7 @@ impl ScaledPoly {
         let size = correction.norm();
         if !size.is_finite() {
             // A stationary point: step aside.
-            return (z * Complex::from_polar(1.0, 0.1), Some(precision));
+            return (z * C::from_polar(1.0, 0.1), Some(precision));
         }
         // A correction may not throw the root beyond twice its own modulus.
         let limited = if size > y.norm() { correction * (y.norm() / size) } else { correction };

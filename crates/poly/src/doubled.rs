@@ -2,6 +2,9 @@
 //!
 //! Dekker 1971; Hida, Li & Bailey 2001. Products take the rounding error from a fused multiply-add.
 
+#[cfg(test)]
+mod tests;
+
 use num_complex::Complex;
 
 /// The sum `high + low` with `|low| <= ulp(high) / 2`.

@@ -3,6 +3,9 @@
 //! The upper convex hull of the points `(k, log2 |c_k|)`. Each edge from `k` to `m` announces `m - k` roots
 //! of modulus about 2^-slope (Bini 1996, Numerical Algorithms 13).
 
+#[cfg(test)]
+mod tests;
+
 /// The upper convex hull of `(k, log2 |c_k|)`.
 #[derive(Debug, Clone)]
 pub(crate) struct NewtonPolygon {

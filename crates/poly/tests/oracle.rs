@@ -32,6 +32,7 @@ fn cases() -> Vec<Case> {
             other => panic!("unknown key {other}"),
         }
     }
+    assert_eq!(cases.len(), 28);
     cases
 }
 

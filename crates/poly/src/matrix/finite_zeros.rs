@@ -4,6 +4,9 @@
 //! QZ algorithm, so no determinant is expanded for the zeros themselves. Each zero is then refined by Newton's method on
 //! the smallest singular value of `M(z)`: with singular vectors u, v the step is `-s / (u^H M'(z) v)`.
 
+#[cfg(test)]
+mod tests;
+
 use super::PolyMatrix;
 use crate::PolyError;
 use crate::aberth::scale_by_power;
@@ -56,8 +59,9 @@ pub struct FiniteZeros {
 impl PolyMatrix<f64> {
     /// The zeros of the determinant, without expanding it.
     ///
-    /// Real: zeros are exactly real or exactly conjugate. The number of finite zeros is the degree of
-    /// [`PolyMatrix::determinant_f64`], where leading coefficients within their rounding error count as zero.
+    /// Zeros are exactly real or exactly conjugate. If the matrix of highest coefficients has full rank, there are as
+    /// many as the pencil is large; else the number is the degree of [`PolyMatrix::determinant_f64`], where
+    /// leading coefficients within their rounding error count as zero.
     ///
     /// # Errors
     /// [`PolyError::NotSquare`], [`PolyError::NonFiniteCoefficient`], [`PolyError::Overflow`].
@@ -105,7 +109,12 @@ impl PolyMatrix<f64> {
                 converged: true,
             });
         }
-        let count = determinant.polynomial.degree().unwrap_or(0).min(size);
+        // A leading matrix of full rank leaves no zero at infinity; else the degree of the determinant decides.
+        let count = if scaled.has_full_leading_rank() {
+            size
+        } else {
+            determinant.polynomial.degree().unwrap_or(0).min(size)
+        };
         let Some(mut values) = scaled.pencil_eigenvalues() else {
             return Ok(FiniteZeros {
                 zeros: Vec::new(),
@@ -181,7 +190,18 @@ impl Scaled {
     }
 
     fn rank(&self, y: C) -> Option<usize> {
-        let singular = self.at(y).0.singular_values().ok()?;
+        self.numerical_rank(&self.at(y).0)
+    }
+
+    fn has_full_leading_rank(&self) -> bool {
+        let n = self.size;
+        let leading = &self.coefficients[self.degree];
+        let matrix = Mat::from_fn(n, n, |i, j| C::new(leading[i * n + j], 0.0));
+        self.numerical_rank(&matrix) == Some(n)
+    }
+
+    fn numerical_rank(&self, matrix: &Mat<c64>) -> Option<usize> {
+        let singular = matrix.singular_values().ok()?;
         let largest = singular.iter().copied().fold(0.0, f64::max);
         let n = f64::from(u32::try_from(self.size).unwrap_or(u32::MAX));
         let level = SINGULAR * n * f64::EPSILON * largest;

@@ -22,6 +22,9 @@ const NEARLY_SINGULAR: f64 = 1e-6;
 /// At this size of the singular value no larger degree is worth a trial.
 const SINGULAR: f64 = 1e-14;
 
+/// Distinct roots at most: the matrices grow with them.
+const MAXIMUM_DISTINCT: usize = 40;
+
 /// Trials at most.
 const TRIALS: usize = 6;
 
@@ -34,13 +37,13 @@ const REFINEMENTS: usize = 8;
 /// Sweeps of the iteration for the roots of v.
 const SWEEPS: usize = 200;
 
-/// Structures with at most half as many distinct roots as the degree; fewest distinct roots first.
+/// Structures with at most half as many distinct roots as the degree, and at most 40; fewest distinct roots first.
 pub(crate) fn hypotheses(target: &Target) -> Vec<Vec<Multiple>> {
     let p = normalized(target.coefficients());
     let derivative = derivative(&p);
     let mut found = Vec::new();
     let mut trials = 0;
-    for k in 1..=target.degree() / 2 {
+    for k in 1..=MAXIMUM_DISTINCT.min(target.degree() / 2) {
         let Some((singular, v, w)) = nearly_common(&p, &derivative, k) else { continue };
         if singular > NEARLY_SINGULAR {
             continue;

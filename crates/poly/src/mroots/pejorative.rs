@@ -23,6 +23,9 @@ const NEGLIGIBLE_STEP: f64 = 1e-24;
 /// Scaled coefficients below this could lose bits to underflow.
 const SMALLEST_HULL: f64 = -850.0;
 
+/// A root in doubled precision and its multiplicity.
+type Unknown = (DoubledComplex, usize);
+
 /// A root and its multiplicity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Multiple {
@@ -36,8 +39,6 @@ pub(crate) struct Fit {
     pub(crate) roots: Vec<Multiple>,
     /// Relative condition of each root for changes of the coefficients, multiplicities held.
     pub(crate) conditions: Vec<f64>,
-    /// Root mean square of `(q_k - p_k) / h_k`.
-    pub(crate) mean_error: f64,
     /// Largest `|q_k - p_k| / h_k`.
     pub(crate) largest_error: f64,
     pub(crate) steps: usize,
@@ -107,7 +108,7 @@ impl Target {
 
     /// Backward error of the roots as they are: the largest relative error of a coefficient.
     pub(crate) fn backward_error(&self, roots: &[Multiple]) -> f64 {
-        let values: Vec<(DoubledComplex, usize)> = roots
+        let values: Vec<Unknown> = roots
             .iter()
             .map(|root| {
                 let value = scale_by_power(root.value, -self.exponent);
@@ -119,15 +120,16 @@ impl Target {
         residual.iter().map(|r| r.norm()).fold(0.0, f64::max)
     }
 
-    /// The nearest polynomial with the multiplicities of `start`; `None` if the iteration fails.
+    /// The nearest polynomial with the multiplicities of `start`; `None` if its mean error exceeds the tolerance or the
+    /// iteration fails.
     ///
     /// With real coefficients `start` holds real roots and exact conjugate pairs, and so does the result.
-    pub(crate) fn fit(&self, start: &[Multiple]) -> Option<Fit> {
+    pub(crate) fn fit(&self, start: &[Multiple], tolerance: f64) -> Option<Fit> {
         if start.iter().map(|root| root.multiplicity).sum::<usize>() != self.degree() {
             return None;
         }
         // Of a conjugate pair only the upper root is an unknown.
-        let mut unknowns: Vec<(DoubledComplex, usize)> = start
+        let mut unknowns: Vec<Unknown> = start
             .iter()
             .filter(|root| !self.real || root.value.im >= 0.0)
             .map(|root| {
@@ -135,7 +137,7 @@ impl Target {
             })
             .collect();
         let mut factor = DoubledComplex::new(self.coefficients.last().copied()?);
-        let mut best: Option<(f64, Vec<(DoubledComplex, usize)>, DoubledComplex)> = None;
+        let mut best: Option<(f64, Vec<Unknown>, DoubledComplex)> = None;
         let mut failures = 0;
         let mut steps = 0;
         while steps < MAXIMUM_STEPS {
@@ -171,15 +173,16 @@ impl Target {
                 break;
             }
         }
-        let (_, unknowns, factor) = best?;
+        let (size, unknowns, factor) = best?;
+        let count = u32::try_from(self.coefficients.len()).map_or(f64::INFINITY, f64::from);
+        if size / count.sqrt() > tolerance {
+            return None;
+        }
         self.describe(&unknowns, factor, steps)
     }
 
     /// The unknowns and, for real coefficients, the conjugates of those that are not real.
-    fn with_conjugates(
-        &self,
-        unknowns: &[(DoubledComplex, usize)],
-    ) -> Vec<(DoubledComplex, usize)> {
+    fn with_conjugates(&self, unknowns: &[Unknown]) -> Vec<Unknown> {
         let mut all = Vec::with_capacity(2 * unknowns.len());
         for &(value, multiplicity) in unknowns {
             all.push((value, multiplicity));
@@ -192,11 +195,7 @@ impl Target {
 
     /// Columns of the Jacobian with respect to the relative change of the factor and of each root, divided by the hull.
     /// For real coefficients a root that is not real has two columns: real and imaginary part of its change.
-    fn jacobian(
-        &self,
-        unknowns: &[(DoubledComplex, usize)],
-        factor: DoubledComplex,
-    ) -> Vec<Vec<C>> {
+    fn jacobian(&self, unknowns: &[Unknown], factor: DoubledComplex) -> Vec<Vec<C>> {
         let all: Vec<(C, usize)> =
             self.with_conjugates(unknowns).iter().map(|(z, m)| (z.value(), *m)).collect();
         let common = product(
@@ -240,7 +239,7 @@ impl Target {
     }
 
     /// Relative changes of factor and roots as complex numbers, from the solution of the least-squares problem.
-    fn complex_corrections(&self, solution: &[C], unknowns: &[(DoubledComplex, usize)]) -> Vec<C> {
+    fn complex_corrections(&self, solution: &[C], unknowns: &[Unknown]) -> Vec<C> {
         let mut parts = solution.iter().copied();
         let mut next = || parts.next().unwrap_or_default();
         let mut corrections = vec![next()];
@@ -255,15 +254,8 @@ impl Target {
         corrections
     }
 
-    fn describe(
-        &self,
-        unknowns: &[(DoubledComplex, usize)],
-        factor: DoubledComplex,
-        steps: usize,
-    ) -> Option<Fit> {
+    fn describe(&self, unknowns: &[Unknown], factor: DoubledComplex, steps: usize) -> Option<Fit> {
         let residual = self.residual(&expand(&self.with_conjugates(unknowns)), factor);
-        let count = u32::try_from(residual.len()).map_or(f64::INFINITY, f64::from);
-        let mean_error = (residual.iter().map(C::norm_sqr).sum::<f64>() / count).sqrt();
         let largest_error = residual.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let factored = Factored::new(self.jacobian(unknowns, factor))?;
         let mut sums = vec![0.0; unknowns.len()];
@@ -285,12 +277,12 @@ impl Target {
                 conditions.push(condition);
             }
         }
-        Some(Fit { roots, conditions, mean_error, largest_error, steps })
+        Some(Fit { roots, conditions, largest_error, steps })
     }
 }
 
 /// Ascending coefficients of the monic product in doubled precision.
-fn expand(roots: &[(DoubledComplex, usize)]) -> Vec<DoubledComplex> {
+fn expand(roots: &[Unknown]) -> Vec<DoubledComplex> {
     let mut coefficients = vec![DoubledComplex::new(C::new(1.0, 0.0))];
     for &(root, multiplicity) in roots {
         for _ in 0..multiplicity {

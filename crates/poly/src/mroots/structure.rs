@@ -15,6 +15,9 @@ type C = Complex<f64>;
 /// Roots further apart than this many uncertainties are not linked.
 const FARTHEST_LINK: f64 = 1e4;
 
+/// Hypotheses whose fit is computed, at most: they come fewest distinct roots first.
+const MAXIMUM_FITS: usize = 32;
+
 /// A cluster of m roots of diameter d, a gap g away from other roots, speaks for a multiple root if `(d/g)^m` is
 /// below this: the same coefficients with the cluster opened to the gap would be that much farther from the manifold.
 const ISOLATION: f64 = 0.01;
@@ -37,8 +40,7 @@ pub(crate) fn multiple_structure(
     }
     common_factor::hypotheses(target)
         .iter()
-        .filter_map(|start| target.fit(start))
-        .filter(|fit| fit.mean_error <= options.coefficient_error)
+        .filter_map(|start| target.fit(start, options.coefficient_error))
         .min_by_key(|fit| fit.roots.len())
         .or(clustered)
 }
@@ -50,19 +52,15 @@ fn from_clusters(
     levels: &[Vec<usize>],
     options: &MrootsOptions,
 ) -> Option<Fit> {
-    for links in levels {
-        let hypothesis = merge(simple, links);
-        if !hypothesis.iter().all(|cluster| cluster.stands_apart) {
-            continue;
-        }
-        let start: Vec<Multiple> = hypothesis.iter().map(|cluster| cluster.root).collect();
-        if let Some(fit) = target.fit(&start)
-            && fit.mean_error <= options.coefficient_error
-        {
-            return Some(fit);
-        }
-    }
-    None
+    levels
+        .iter()
+        .map(|links| merge(simple, links))
+        .filter(|hypothesis| hypothesis.iter().all(|cluster| cluster.stands_apart))
+        .take(MAXIMUM_FITS)
+        .find_map(|hypothesis| {
+            let start: Vec<Multiple> = hypothesis.iter().map(|cluster| cluster.root).collect();
+            target.fit(&start, options.coefficient_error)
+        })
 }
 
 /// The clusters of each level of the linkage, as a label per root; fewest clusters first.

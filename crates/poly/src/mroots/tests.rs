@@ -1,5 +1,4 @@
 //! Tests of the roots: closed forms, planted multiplicities, limits of scale, bad input.
-#![expect(clippy::float_cmp, reason = "exact values are promised where they are compared")]
 
 use super::{Method, MrootsOptions, Multiplicities, mroots};
 use crate::{Complex, Poly, PolyError};

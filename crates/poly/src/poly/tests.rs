@@ -1,5 +1,4 @@
 //! Tests of polynomial arithmetic, exact wherever the ring is exact.
-#![expect(clippy::float_cmp, reason = "exact values are promised where they are compared")]
 
 use crate::{Complex, Poly, PolyError};
 use num_bigint::BigInt;
