@@ -192,7 +192,7 @@ fn a_point_is_where_its_tick_says() {
     let linear = |low, high| Axis::linear("a").range(low, high);
     let log = |low, high| Axis::log("a").range(low, high);
     check(linear(-1.3, 2.7), linear(0.0, 50.0), (0.5, 20.0), ("0.5", "20"));
-    check(linear(0.0, 1e-20), linear(1e5, 1e6), (4e-21, 5e5), ("4×10⁻²¹", "5×10⁵"));
+    check(linear(0.0, 1e-20), linear(1e5, 1e6), (4e-21, 5e5), ("4.0×10⁻²¹", "5.0×10⁵"));
     check(log(0.3, 200.0), log(1e-20, 1e-3), (10.0, 1e-12), ("10", "10⁻¹²"));
     check(log(2.0, 17.0), log(1.1, 1.9), (5.0, 1.5), ("5", "1.5"));
 }
