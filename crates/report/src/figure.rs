@@ -61,7 +61,8 @@ pub enum Aspect {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Guide {
-    /// The circle of radius 1 around the origin: limit of stability in discrete time. Never widens a range.
+    /// The circle of radius 1 around the origin: limit of stability in discrete time. An axis without a range
+    /// shows all of it.
     UnitCircle,
     /// A horizontal line at this y.
     Horizontal(f64),
@@ -120,7 +121,8 @@ impl Panel {
             .unit_circle()
     }
 
-    /// Shows only the given ranges (low, high): the zoom on one part of a map.
+    /// Shows only the given ranges (low, high): the zoom on one part of a map. With equal axes one of the two is
+    /// widened to fill the panel, so ranges of about equal length waste least.
     #[must_use]
     pub fn zoom(mut self, x: (f64, f64), y: (f64, f64)) -> Self {
         self.x.range = Some(x);
@@ -170,7 +172,9 @@ pub enum Legend {
 
 /// A grid of panels with a title and a caption.
 ///
-/// The title and the caption are set by the page (HTML, Markdown), not drawn into the picture.
+/// The title and the caption are set by the page (HTML, Markdown), not drawn into the picture. Several panels are
+/// lettered (a), (b), ... in front of their titles. An axis label that the panel on the left or below has too is
+/// drawn once.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Figure {

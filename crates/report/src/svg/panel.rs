@@ -88,7 +88,8 @@ fn more_ticks(scene: &mut Scene, cell: &Cell<'_>) {
     }
     for (unit, label) in &cell.x_ticks.extra {
         let x = below(scene, *unit, TICK_LENGTH_PX);
-        let baseline = frame.bottom() + TICK_LENGTH_PX + f64::from(TICK_PX);
+        // The height of the font above its baseline, as the library has it.
+        let baseline = frame.bottom() + TICK_LENGTH_PX + 0.928 * f64::from(TICK_PX);
         scene.add(marks::text(label, (x, baseline), TICK_PX, TextAnchor::Middle, None));
     }
     let beside = |scene: &mut Scene, unit: f64, length: f64| {
