@@ -1,0 +1,169 @@
+//! Figures 1 and 2: poles and Markov parameters of the composite FIR/IIR models.
+
+use cfi_ident::{ConstantTerm, Structure};
+use num_complex::Complex;
+use reconstruct::{Identification, IdentificationOptions, identify};
+use report::{Axis, Block, Figure, Panel, Points, Stems};
+
+use super::check::{Check, Print};
+use super::flight::Flight;
+use super::{Part, reference};
+use crate::TaskError;
+
+const PART: &str = "composite models";
+
+pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
+    let found = &flight.result.identifications;
+    let constant_term = ranks_with_constant_term(flight)?;
+    let parameters = found[0].fit.model.structure().parameter_count();
+    let mut checks = vec![
+        Check::exact(
+            "cfi-parameters",
+            Print::Slip,
+            "l + r + d - 1 = 53",
+            &format!("l + r + d = {parameters}"),
+            "l + r + d = 54",
+            "entries of theta; (42)-(44) have it right",
+        ),
+        Check::exact(
+            "cfi-rank-omitted",
+            Print::Right,
+            "54 of 54",
+            &all_equal(found.iter().map(|found| format!("{} of {parameters}", found.fit.rank))),
+            "54 of 54",
+            "rank of the regressors of all four fits, D without constant term as (35) has it",
+        ),
+        Check::exact(
+            "cfi-rank-included",
+            Print::Right,
+            "54 of 55",
+            &all_equal(constant_term.into_iter()),
+            "54 of 55",
+            "the same with a constant term: one direction stays undetermined",
+        ),
+        Check::exact(
+            "cfi-poles-off-circle",
+            Print::Slip,
+            "all on the unit circle",
+            &format!("{} on the unit circle", poles_on_circle(found)),
+            "0 on the unit circle",
+            "poles kept in the IIR factor of the four models",
+        ),
+    ];
+    for (record, (id, surface)) in
+        [("cfi-poles-aileron", "aileron"), ("cfi-poles-rudder", "rudder")].into_iter().enumerate()
+    {
+        let zeros = reference::roots(&format!("/aircraft/as_printed/zeros_sideslip_{surface}"))?;
+        // D(q) has a root at 0, and those of the sideslip's numerator, for both pseudo outputs.
+        let expected: Vec<_> = std::iter::once(Complex::new(0.0, 0.0)).chain(zeros).collect();
+        let worst = of_record(flight, record).iter().map(|found| {
+            (
+                composite_poles(found),
+                super::check::multiset_distance(&composite_poles(found), &expected),
+            )
+        });
+        let Some((poles, _)) = worst.max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+        checks.push(Check::computed_roots(
+            id,
+            &poles,
+            &expected,
+            1e-10,
+            "roots of D: 0 and the zeros of the sideslip's transfer function",
+        ));
+    }
+    Ok(Part {
+        title: "Figures 1 and 2: composite models",
+        introduction: "Least squares with l = 4, r = d = 25 on 2000 noise-free samples, sampled every 0.1 s, white excitation of unit variance. D holds three poles and \
+                       a root at 0; the FIR factor is left with four nonzero Markov parameters.",
+        checks,
+        blocks: vec![
+            figure(flight, 0, "figure-1", "Composite models, aileron moving").into(),
+            figure(flight, 1, "figure-2", "Composite models, rudder moving").into(),
+        ]
+        .into_iter()
+        .collect::<Vec<Block>>(),
+    })
+}
+
+/// The identifications of one record: to the roll rate, to the yaw rate.
+pub(super) fn of_record(flight: &Flight, record: usize) -> &[Identification] {
+    let outputs = flight.records[record].channels().len() - 1;
+    &flight.result.identifications[record * outputs..(record + 1) * outputs]
+}
+
+fn composite_poles(found: &Identification) -> Vec<Complex<f64>> {
+    found
+        .composite_poles
+        .iter()
+        .flat_map(|root| std::iter::repeat_n(root.value, root.multiplicity))
+        .collect()
+}
+
+fn ranks_with_constant_term(flight: &Flight) -> Result<Vec<String>, TaskError> {
+    let mut options = IdentificationOptions::default();
+    options.structure = Structure::new(options.structure.orders, ConstantTerm::Included);
+    let parameters = options.structure.parameter_count();
+    let pairs = flight.records.iter().flat_map(|record| [(record, 1), (record, 2)]);
+    pairs
+        .map(|(record, output)| {
+            let found =
+                identify(record, 0, output, &options).map_err(TaskError::computation(PART))?;
+            Ok(format!("{} of {parameters}", found.fit.rank))
+        })
+        .collect()
+}
+
+/// The common text, or all of them.
+fn all_equal(texts: impl Iterator<Item = String>) -> String {
+    let mut texts: Vec<String> = texts.collect();
+    texts.dedup();
+    texts.join(", ")
+}
+
+fn poles_on_circle(found: &[Identification]) -> usize {
+    // The pole closest to the circle, 1.00110, is a thousand times farther away.
+    const ON_CIRCLE: f64 = 1e-6;
+    let poles = found.iter().flat_map(composite_poles);
+    poles.filter(|pole| (pole.norm() - 1.0).abs() < ON_CIRCLE).count()
+}
+
+fn figure(flight: &Flight, record: usize, id: &str, title: &str) -> Figure {
+    let caption = "Left: roots of D. Middle: the same near z = 1. Right: Markov parameters h_i of the FIR factor; all but four \
+                   are zero to rounding.";
+    let mut figure = Figure::new(id, title, caption).columns(3);
+    for found in of_record(flight, record) {
+        let name = format!("{} to {}", found.input, found.output);
+        let poles = || {
+            Points::poles(
+                "pole of the composite model",
+                composite_poles(found).into_iter().map(|z| (z.re, z.im)),
+            )
+        };
+        let unit = if found.input == found.output { "" } else { " [1/s]" };
+        let markov = Panel::new(
+            format!("{name}: Markov parameters"),
+            Axis::linear("index i").range(-26.0, 26.0),
+            Axis::linear(format!("h_i{unit}")),
+        );
+        figure = figure
+            .with(
+                Panel::z_plane(format!("{name}: poles"))
+                    .zoom((-1.35, 1.35), (-1.35, 1.35))
+                    .with(poles()),
+            )
+            .with(
+                Panel::z_plane(format!("{name}: near z = 1"))
+                    .zoom((0.93, 1.03), (-0.05, 0.05))
+                    .with(poles()),
+            )
+            .with(markov.with(Stems::new("Markov parameter", markov_parameters(found))));
+    }
+    figure
+}
+
+fn markov_parameters(found: &Identification) -> Vec<(f64, f64)> {
+    let model = &found.fit.model;
+    let orders = model.structure().orders;
+    let (first, last) = (-(orders.anticausal() as isize), orders.causal() as isize);
+    (first..=last).map(|index| (index as f64, model.markov_parameter(index))).collect()
+}
