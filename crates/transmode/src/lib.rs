@@ -1,1 +1,79 @@
-//! From sensor records to named modes: the program.
+//! From sensor records to named modes: the program behind `transmode`, as a function that a test can call.
+//!
+//! [`run`] takes the words of a command line and two places to write to, and returns the exit code. All files that the product reads or
+//! writes are read or written here; the crates below compute.
+
+mod args;
+mod error;
+mod identify;
+mod modes;
+mod output;
+mod records;
+
+use std::ffi::OsString;
+use std::io::Write;
+
+use clap::Parser;
+
+pub use error::CommandError;
+pub use output::write_whole;
+
+/// How a command ended; the program's exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Exit {
+    /// 0: all is well.
+    Fine = 0,
+    /// 1: there is a result, but it cannot be trusted. The warnings say why.
+    Doubtful = 1,
+    /// 2: the command line or a file is at fault. Nothing was written.
+    BadInput = 2,
+}
+
+impl From<Exit> for std::process::ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit as u8)
+    }
+}
+
+/// Carries out a command line, the program's name first. Results go to `out`, errors to `err`.
+///
+/// # Example
+///
+/// ```
+/// let (mut out, mut err) = (Vec::new(), Vec::new());
+/// let exit = transmode::run(["transmode", "identify", "no-such-file.csv", "neither.csv"], &mut out, &mut err);
+/// assert_eq!(exit, transmode::Exit::BadInput);
+/// assert!(out.is_empty());
+/// assert!(String::from_utf8_lossy(&err).starts_with("error: cannot read no-such-file.csv"));
+/// ```
+pub fn run<W: Into<OsString> + Clone>(
+    words: impl IntoIterator<Item = W>,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> Exit {
+    let args = match args::Args::try_parse_from(words) {
+        Ok(args) => args,
+        // Help and version are asked for, so they are results; anything else is bad input.
+        Err(answer) => {
+            let text = answer.render().to_string();
+            let (written, exit) = if answer.use_stderr() {
+                (err.write_all(text.as_bytes()), Exit::BadInput)
+            } else {
+                (out.write_all(text.as_bytes()), Exit::Fine)
+            };
+            return if written.is_ok() { exit } else { Exit::BadInput };
+        }
+    };
+    let result = match args.command {
+        args::Command::Identify(args) => identify::run(&args, out),
+    };
+    result.unwrap_or_else(|error| {
+        // A reader that went away, such as `head`, is no reason to complain to it.
+        if !error.is_broken_pipe() {
+            // Nothing is left to be told if even this cannot be written; the exit code says it.
+            let _ = writeln!(err, "error: {error}");
+        }
+        Exit::BadInput
+    })
+}

@@ -1,0 +1,62 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+/// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
+#[derive(Debug, Parser)]
+#[command(name = "transmode", version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 all is well; 1 there is a result, but it cannot be trusted, and the warnings say why; 2 bad input.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Identify(IdentifyArgs),
+}
+
+/// Names the modes of a system from two or more records of its sensors.
+///
+/// Each file is one record: a CSV file with a header, a column of time in seconds and one column for each sensor. Each record needs an
+/// excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = IDENTIFY_HELP)]
+pub(crate) struct IdentifyArgs {
+    /// The records, at least two.
+    #[arg(required = true, num_args = 1.., value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// The sensors to use, at least three: first the pseudo input, then the pseudo outputs [default: all columns but time].
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
+    pub(crate) outputs: Vec<String>,
+
+    /// The column of time, in seconds [default: the one called time or t].
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) time: Option<String>,
+
+    /// Poles kept in the IIR factor of the composite model, l.
+    #[arg(long, default_value_t = 4, value_name = "L")]
+    pub(crate) iir: usize,
+
+    /// Causal length of the FIR factor in samples, r.
+    #[arg(long, default_value_t = 25, value_name = "R")]
+    pub(crate) causal: usize,
+
+    /// Anticausal length of the FIR factor in samples, d.
+    #[arg(long, default_value_t = 25, value_name = "D")]
+    pub(crate) anticausal: usize,
+
+    /// Write the result as JSON to this file, or to standard output in place of the table with -.
+    #[arg(long, value_name = "FILE|-")]
+    pub(crate) json: Option<PathBuf>,
+}
+
+const IDENTIFY_HELP: &str = "\
+Examples:
+  transmode identify aileron.csv rudder.csv --outputs beta,p,r
+  transmode identify aileron.csv rudder.csv --time t --json modes.json";

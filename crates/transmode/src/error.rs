@@ -1,0 +1,143 @@
+//! What can be wrong with the command line and with files, in full sentences.
+
+use std::path::PathBuf;
+
+/// Why a command could not be carried out: one sentence with the place and the remedy.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CommandError {
+    /// A file that cannot be read.
+    #[error("cannot read {}: {source}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// What the operating system says.
+        source: std::io::Error,
+    },
+    /// A file that cannot be written.
+    #[error("cannot write {}: {source}", file.display())]
+    Write {
+        /// The file, or `-` for standard output.
+        file: PathBuf,
+        /// What the operating system says.
+        source: std::io::Error,
+    },
+    /// A file that is no text in UTF-8.
+    #[error("{}, line {line}: the file is not UTF-8 text; export it as plain CSV", file.display())]
+    NotText {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+    },
+    /// A file without a header or without a row below it.
+    #[error("{} holds no samples: a header line and rows of numbers are needed", file.display())]
+    Empty {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A row with too many or too few fields.
+    #[error(
+        "{}, line {line}: {found} fields, but the header names {expected} columns",
+        file.display()
+    )]
+    Ragged {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// Number of fields in the row.
+        found: u64,
+        /// Number of columns in the header.
+        expected: u64,
+    },
+    /// Two columns with one name.
+    #[error("{}: column {column:?} is there twice; rename one of them", file.display())]
+    RepeatedColumn {
+        /// The file.
+        file: PathBuf,
+        /// The name.
+        column: String,
+    },
+    /// A header that is a row of numbers.
+    #[error("{}: the first line is a row of numbers; a header line that names the columns is needed", file.display())]
+    NoHeader {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A field that is not a finite number.
+    #[error(
+        "{}, line {line}, column {column:?}: {text:?} is not a finite number; repair or remove the row",
+        file.display()
+    )]
+    NotANumber {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// The column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// A column that the file does not have.
+    #[error("{} has no column {column:?}; it has {available}", file.display())]
+    NoSuchColumn {
+        /// The file.
+        file: PathBuf,
+        /// The name asked for.
+        column: String,
+        /// The names that are there.
+        available: String,
+    },
+    /// No column looks like time.
+    #[error("{}: none of its columns ({available}) is called time or t; name it with --time", file.display())]
+    NoTimeColumn {
+        /// The file.
+        file: PathBuf,
+        /// The names that are there.
+        available: String,
+    },
+    /// Fewer than two samples: no sample period.
+    #[error("{} holds {found} sample(s); at least 2 are needed to know the sample period", file.display())]
+    TooShort {
+        /// The file.
+        file: PathBuf,
+        /// Number of rows.
+        found: usize,
+    },
+    /// Time that does not advance in equal steps.
+    #[error(
+        "{}, line {line}: time advances by {step_s} s, elsewhere by {period_s} s; \
+         cut the record there or resample it to equal steps",
+        file.display()
+    )]
+    Uneven {
+        /// The file.
+        file: PathBuf,
+        /// Line of the sample that comes too early or too late, from 1.
+        line: u64,
+        /// The step before it, in seconds.
+        step_s: f64,
+        /// The usual step, in seconds.
+        period_s: f64,
+    },
+    /// The same column asked for twice, or time asked for as an output.
+    #[error("--outputs names {column:?} {why}")]
+    BadOutputs {
+        /// The column.
+        column: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// The records don't allow a reconstruction.
+    #[error("{0}")]
+    Reconstruct(String),
+}
+
+impl CommandError {
+    /// Whether the reader of the output went away.
+    pub(crate) fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Write { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+}

@@ -1,0 +1,44 @@
+//! Whole files or none: a file is written beside its place and then renamed.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::CommandError;
+
+/// Writes `bytes` to `file`, or to `out` where the file is called `-`.
+///
+/// A regular file appears whole or stays as it was. Anything else that stands in its place (a pipe, a device) is written to as it is.
+///
+/// # Errors
+///
+/// [`CommandError::Write`] with the file and what the operating system says.
+pub fn write_whole(file: &Path, bytes: &[u8], out: &mut dyn Write) -> Result<(), CommandError> {
+    let fault = |source| CommandError::Write { file: file.to_owned(), source };
+    if file == Path::new("-") {
+        return out.write_all(bytes).and_then(|()| out.flush()).map_err(fault);
+    }
+    let is_special =
+        file.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+    if is_special {
+        return std::fs::write(file, bytes).map_err(fault);
+    }
+    let folder =
+        file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut draft = draft_in(folder).map_err(fault)?;
+    draft.write_all(bytes).map_err(fault)?;
+    draft.as_file().sync_all().map_err(fault)?;
+    draft.persist(file).map_err(|error| fault(error.error))?;
+    Ok(())
+}
+
+/// A temporary file with the rights of an ordinary one, which the user's mask may narrow.
+fn draft_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".transmode-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
+#[cfg(test)]
+mod tests;
