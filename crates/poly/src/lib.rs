@@ -42,6 +42,7 @@ mod doubled;
 mod error;
 mod evaluation;
 mod least_squares;
+mod leja;
 mod matrix;
 mod mroots;
 mod newton_polygon;

@@ -201,7 +201,7 @@ fn refine_multiple(p: &mut ScaledPoly, real: bool, options: &MrootsOptions, foun
         return;
     };
     let fit = match options.multiplicities {
-        Multiplicities::Detect => structure::multiple_structure(&target, &found.roots, options),
+        Multiplicities::Detect => structure::multiple_structure(p, &target, &found.roots, options),
         Multiplicities::AllSimple => None,
     };
     if let Some(fit) = fit {

@@ -9,6 +9,7 @@
 use crate::aberth::{ScaledPoly, scale_by_power};
 use crate::doubled::DoubledComplex;
 use crate::least_squares::Factored;
+use crate::leja::leja_order;
 use num_complex::Complex;
 
 type C = Complex<f64>;
@@ -116,7 +117,8 @@ impl Target {
             })
             .collect();
         let leading = self.coefficients.last().copied().unwrap_or_default();
-        let residual = self.residual(&expand(&values), DoubledComplex::new(leading));
+        let residual =
+            self.residual(&expand(&in_leja_order(&values)), DoubledComplex::new(leading));
         residual.iter().map(|r| r.norm()).fold(0.0, f64::max)
     }
 
@@ -190,7 +192,7 @@ impl Target {
                 all.push((value.conj(), multiplicity));
             }
         }
-        all
+        in_leja_order(&all)
     }
 
     /// Columns of the Jacobian with respect to the relative change of the factor and of each root, divided by the hull.
@@ -212,7 +214,7 @@ impl Target {
             // The derivative with respect to z is -m q / (x - z); the unknown is the change relative to z.
             let mut others: Vec<C> = all.iter().map(|&(z, _)| z).collect();
             if let Some(own) = others.iter().position(|&z| z == value) {
-                others.swap_remove(own);
+                others.remove(own);
             }
             let count = u32::try_from(multiplicity).map_or(f64::INFINITY, f64::from);
             let mut column = times(&common, others.into_iter());
@@ -281,12 +283,19 @@ impl Target {
     }
 }
 
-/// Ascending coefficients of the monic product in doubled precision.
+fn in_leja_order(roots: &[Unknown]) -> Vec<Unknown> {
+    let values: Vec<C> = roots.iter().map(|(z, _)| z.value()).collect();
+    leja_order(&values).into_iter().map(|k| roots[k]).collect()
+}
+
+/// Ascending coefficients of the monic product in doubled precision; each round takes every root that is left once.
 fn expand(roots: &[Unknown]) -> Vec<DoubledComplex> {
-    let mut coefficients = vec![DoubledComplex::new(C::new(1.0, 0.0))];
-    for &(root, multiplicity) in roots {
-        for _ in 0..multiplicity {
-            coefficients.push(DoubledComplex::new(C::new(1.0, 0.0)));
+    let one = DoubledComplex::new(C::new(1.0, 0.0));
+    let mut coefficients = vec![one];
+    let rounds = roots.iter().map(|&(_, multiplicity)| multiplicity).max().unwrap_or(0);
+    for round in 0..rounds {
+        for &(root, _) in roots.iter().filter(|(_, multiplicity)| *multiplicity > round) {
+            coefficients.push(one);
             for k in (1..coefficients.len() - 1).rev() {
                 coefficients[k] = coefficients[k - 1].sub(root.mul(coefficients[k]));
             }

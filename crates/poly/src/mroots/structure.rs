@@ -1,19 +1,21 @@
 //! Which roots are one multiple root: hypotheses from clusters, judged by the backward error.
 //!
 //! Simple roots of perturbed coefficients surround a multiple root at about the distance by which each of them is
-//! uncertain. So roots are linked in the order of `|z_i - z_j| / (u_i + u_j)`, with `u` the first-order
-//! uncertainty, and each level of the linkage is a hypothesis. The one with the fewest distinct roots is taken whose
+//! uncertain. So roots are linked in the order of `|z_i - z_j| / (u_i + u_j)`, and each level of the linkage is a
+//! hypothesis. The uncertainty u of a root under relative changes e of the coefficients is
+//! `min over k of (e sum |c_j z^j| / |p^(k)(z) / k!|)^(1/k)`: with k = 1 alone it would grow without bound as roots meet. The one with the fewest distinct roots is taken whose
 //! nearest polynomial explains the coefficients within their error, and whose clusters stand apart.
 
 use super::common_factor;
 use super::pejorative::{Fit, Multiple, Target};
 use super::{MrootsOptions, Root};
+use crate::aberth::{ScaledPoly, scale_by_power};
 use num_complex::Complex;
 
 type C = Complex<f64>;
 
-/// Roots further apart than this many uncertainties are not linked.
-const FARTHEST_LINK: f64 = 1e4;
+/// Roots further apart than this many uncertainties are not linked: members of one cluster are at most one apart.
+const FARTHEST_LINK: f64 = 10.0;
 
 /// Hypotheses whose fit is computed, at most: they come fewest distinct roots first.
 const MAXIMUM_FITS: usize = 32;
@@ -24,11 +26,14 @@ const ISOLATION: f64 = 0.01;
 
 /// The best structure with multiple roots, if there is one.
 pub(crate) fn multiple_structure(
+    p: &mut ScaledPoly,
     target: &Target,
     simple: &[Root],
     options: &MrootsOptions,
 ) -> Option<Fit> {
-    let levels = linkage(simple, options.coefficient_error);
+    let reaches: Vec<f64> =
+        simple.iter().map(|root| reach(p, root, options.coefficient_error)).collect();
+    let levels = linkage(simple, &reaches);
     if levels.is_empty() {
         return None;
     }
@@ -63,15 +68,35 @@ fn from_clusters(
         })
 }
 
+/// How far a root may move under relative changes of the coefficients.
+fn reach(p: &mut ScaledPoly, root: &Root, coefficient_error: f64) -> f64 {
+    let exponent = ScaledPoly::exponent(root.value);
+    let y = scale_by_power(root.value, -exponent);
+    let mut taylor = p.scaled(exponent).to_vec();
+    let modulus = y.norm();
+    let terms = taylor.iter().rev().fold(0.0, |sum, c| sum * modulus + c.norm());
+    let degree = taylor.len() - 1;
+    for start in 0..degree {
+        for k in (start..degree).rev() {
+            let above = taylor[k + 1];
+            taylor[k] += y * above;
+        }
+    }
+    let radius = taylor
+        .iter()
+        .skip(1)
+        .zip(1_u32..)
+        .map(|(c, k)| (coefficient_error * terms / c.norm()).powf(1.0 / f64::from(k)))
+        .fold(f64::INFINITY, f64::min);
+    scale_by_power(C::new(radius, 0.0), exponent).re
+}
+
 /// The clusters of each level of the linkage, as a label per root; fewest clusters first.
-fn linkage(roots: &[Root], coefficient_error: f64) -> Vec<Vec<usize>> {
-    let reach =
-        |root: &Root| root.condition * coefficient_error * root.value.norm() + root.error_estimate;
+fn linkage(roots: &[Root], reaches: &[f64]) -> Vec<Vec<usize>> {
     let mut links = Vec::new();
     for (i, a) in roots.iter().enumerate() {
         for (j, b) in roots.iter().enumerate().skip(i + 1) {
-            let distance = (a.value - b.value).norm() / (reach(a) + reach(b));
-            // An infinite condition number links everything near by.
+            let distance = (a.value - b.value).norm() / (reaches[i] + reaches[j]);
             if distance <= FARTHEST_LINK {
                 links.push((distance, i, j));
             }

@@ -1,6 +1,7 @@
 //! What only floating-point polynomials have: error bounds, complex arguments, roots rounded once.
 
 use crate::doubled::{Doubled, DoubledComplex};
+use crate::leja::leja_order;
 use crate::{Evaluation, Poly, PolyError};
 use num_complex::Complex;
 
@@ -165,24 +166,32 @@ impl Poly<f64> {
     /// ```
     pub fn real_from_roots(roots: &[Complex<f64>]) -> Result<Self, PolyError> {
         let mut unmatched: Vec<Complex<f64>> = Vec::new();
-        let mut product = vec![Doubled::new(1.0)];
+        let mut matched: Vec<Complex<f64>> = Vec::new();
         for (index, &root) in roots.iter().enumerate() {
             if !(root.re.is_finite() && root.im.is_finite()) {
                 return Err(PolyError::NonFiniteValue { what: "root", index, value: root });
             }
             if root.im == 0.0 {
-                multiply(&mut product, &[Doubled::new(root.re).neg(), Doubled::new(1.0)]);
+                matched.push(root);
             } else if let Some(k) = unmatched.iter().position(|&other| other == root.conj()) {
                 unmatched.swap_remove(k);
-                let (re, im) = (Doubled::new(root.re), Doubled::new(root.im));
-                let square = re.mul(re).add(im.mul(im));
-                multiply(&mut product, &[square, re.add(re).neg(), Doubled::new(1.0)]);
+                matched.push(root);
             } else {
                 unmatched.push(root);
             }
         }
         if let Some(&value) = unmatched.first() {
             return Err(PolyError::NotConjugateClosed { value });
+        }
+        let mut product = vec![Doubled::new(1.0)];
+        for k in leja_order(&matched) {
+            let (re, im) = (Doubled::new(matched[k].re), Doubled::new(matched[k].im));
+            if matched[k].im == 0.0 {
+                multiply(&mut product, &[re.neg(), Doubled::new(1.0)]);
+            } else {
+                let square = re.mul(re).add(im.mul(im));
+                multiply(&mut product, &[square, re.add(re).neg(), Doubled::new(1.0)]);
+            }
         }
         let coefficients: Vec<f64> = product.into_iter().map(Doubled::value).collect();
         match coefficients.iter().position(|c| !c.is_finite()) {
