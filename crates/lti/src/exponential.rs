@@ -4,11 +4,11 @@
 use nalgebra::DMatrix;
 
 use crate::LtiError;
-use crate::scaling::{balance_similarity, norm_1, power_of_two};
+use crate::scaling::{balance_similarity, exponent, norm_1, power_of_two};
 use crate::state_space::{check_finite, check_square};
 
 /// Largest norms for which the Pade approximants of degree 3, 5, 7, 9 and 13 have a backward error below 2^-53
-/// (Al-Mohy & Higham, SIAM J. Matrix Anal. Appl. 31 (2009), table 3.1).
+/// (Al-Mohy & Higham, SIAM J. Matrix Anal. Appl. 31 (2009)).
 const THETA: [(usize, f64); 5] = [
     (3, 1.495_585_217_958_292e-2),
     (5, 2.539_398_330_063_23e-1),
@@ -73,10 +73,15 @@ impl Exponential {
 }
 
 pub(crate) fn exponential_parts(a: &DMatrix<f64>) -> Result<Exponential, LtiError> {
+    // Sums of the largest entries would overflow: some squarings are taken off at once.
+    const FAR_FROM_OVERFLOW: i32 = 900;
+    const AT_ONCE: usize = 200;
     let n = a.nrows();
-    let (balanced, diagonal) = balance_similarity(a);
-    let (degree, squarings) = choose_degree(&balanced);
-    let scaled = halve(&balanced, squarings);
+    let at_once = if exponent(a.amax()) > FAR_FROM_OVERFLOW { AT_ONCE } else { 0 };
+    let (balanced, diagonal) = balance_similarity(&halve(a, at_once));
+    let (degree, further) = choose_degree(&balanced);
+    let scaled = halve(&balanced, further);
+    let squarings = at_once + further;
     let mut minus_identity = pade_minus_identity(&scaled, degree)
         .ok_or(LtiError::Overflow { operation: "the matrix exponential" })?;
     let mut direct = &minus_identity + DMatrix::identity(n, n);
@@ -117,9 +122,9 @@ fn choose_degree(a: &DMatrix<f64>) -> (usize, usize) {
         return (3, 0);
     }
     // Powers of A / 2^e stay in range; the roots of their norms are scaled back.
-    let exponent = crate::scaling::exponent(norm);
-    let unit = a * power_of_two(-exponent);
-    let back = power_of_two(exponent);
+    let binary = exponent(norm);
+    let unit = a * power_of_two(-binary);
+    let back = power_of_two(binary);
     let square = &unit * &unit;
     let fourth = &square * &square;
     let sixth = &fourth * &square;
@@ -157,7 +162,7 @@ fn ceil_log2(ratio: f64) -> usize {
 }
 
 /// Squarings needed beyond the norms of powers, where |A|^(2m+1) is much larger than they say
-/// (the function l of Al-Mohy & Higham 2009, eq. (3.11)).
+/// (the second condition of Al-Mohy & Higham 2009).
 fn extra_squarings(a: &DMatrix<f64>, degree: usize) -> usize {
     let norm = norm_1(a);
     if norm == 0.0 {

@@ -10,7 +10,7 @@ use crate::rosenbrock::{Reduced, Rosenbrock};
 use crate::{LtiError, StateSpace, TimeDomain};
 
 /// Options of [`StateSpace::invariant_zeros_with`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct ZerosOptions {
     /// Singular values below this times the Frobenius norm of the scaled system matrix count as zero.
@@ -18,12 +18,6 @@ pub struct ZerosOptions {
     /// Default: `None`, which stands for (n + max(m, p)) times the machine epsilon: right for a system whose entries
     /// are known to rounding. A system identified from noisy data needs the relative size of its errors here.
     pub rank_tolerance: Option<f64>,
-}
-
-impl Default for ZerosOptions {
-    fn default() -> Self {
-        Self { rank_tolerance: None }
-    }
 }
 
 /// One invariant zero and how far it can be trusted.
@@ -68,8 +62,8 @@ impl<T: TimeDomain> StateSpace<T> {
     /// The invariant zeros: the finite points x at which the Rosenbrock matrix
     /// `[A - x I, B; C, D]` has less than its normal rank.
     ///
-    /// They include the transmission zeros and the modes that an input can't reach or an output can't show. For a
-    /// square system they are the roots of det(xI - A) det G(x). Systems may be rectangular or degenerate.
+    /// For a square system whose G has full rank they are the roots of det(xI - A) det G(x): the transmission zeros,
+    /// and the modes that no input reaches or no output shows. Systems may be rectangular or degenerate.
     ///
     /// Method: scaling by powers of two, orthogonal reduction to a system with invertible feedthrough
     /// (Emami-Naeini & Van Dooren 1982), generalised eigenvalues; the zeros of a square system are then refined

@@ -12,6 +12,21 @@ use crate::exponential::exponential;
 use crate::scaling::{balance_similarity, norm_1};
 use crate::state_space::{check_finite, check_square};
 
+/// With ||X||_1 at most this the Pade approximant of log(I + X) of degree 7 is correct to 1e-16
+/// (Higham, Functions of Matrices, 2008, chapter 11).
+const THETA_7: f64 = 0.264;
+
+/// Nodes and weights of Gauss-Legendre quadrature on [-1, 1] (Abramowitz & Stegun, table 25.4, n = 7).
+const NODES: [(f64, f64); 7] = [
+    (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
+    (-0.741_531_185_599_394_5, 0.279_705_391_489_276_64),
+    (-0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
+    (0.0, 0.417_959_183_673_469_4),
+    (0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
+    (0.741_531_185_599_394_5, 0.279_705_391_489_276_64),
+    (0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
+];
+
 /// A real logarithm, and how well its exponential gives the matrix back.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -26,7 +41,8 @@ pub struct Logarithm {
 
 /// The principal logarithm of a real matrix: exp(X) = A with the eigenvalues of X in the strip |im| < pi.
 ///
-/// Method: diagonal balancing by powers of two, complex Schur form, square roots of the triangular factor until
+/// Method: diagonal balancing by powers of two; next to the identity the Pade approximant of degree 7 at once,
+/// elsewhere complex Schur form, square roots of the triangular factor until
 /// it is close to the identity (Bjorck & Hammarling 1983), a Gauss-Legendre form of the Pade approximant of
 /// degree 7, and the diagonal and first superdiagonal recomputed from their closed forms.
 ///
@@ -54,10 +70,15 @@ pub fn logarithm(a: &DMatrix<f64>) -> Result<Logarithm, LtiError> {
     }
     check_spectrum(a)?;
     let (balanced, diagonal) = balance_similarity(a);
-    let ComplexSchur { q, t } = complex_schur(&balanced)?;
-    let (logarithm, square_roots) = logarithm_of_triangular(&t);
-    let product = &q * logarithm * q.adjoint();
-    let mut value = product.map(|x| x.re);
+    let minus_identity = &balanced - DMatrix::identity(n, n);
+    let (mut value, square_roots) = if norm_1(&minus_identity) <= THETA_7 {
+        // Next to the identity no Schur form is needed, and the small entries keep their relative accuracy.
+        (pade_log1p_real(&minus_identity)?, 0)
+    } else {
+        let ComplexSchur { q, t } = complex_schur(&balanced)?;
+        let (logarithm, square_roots) = logarithm_of_triangular(&t);
+        ((&q * logarithm * q.adjoint()).map(|x| x.re), square_roots)
+    };
     for j in 0..n {
         for i in 0..n {
             value[(i, j)] *= diagonal[i] / diagonal[j];
@@ -82,9 +103,6 @@ fn check_spectrum(a: &DMatrix<f64>) -> Result<(), LtiError> {
 }
 
 fn logarithm_of_triangular(triangular: &CMatrix) -> (CMatrix, usize) {
-    // With ||X||_1 <= 0.264 the Pade approximant of degree 7 has a backward error below 2^-53
-    // (Al-Mohy & Higham, SIAM J. Sci. Comput. 34 (2012), table 2.1).
-    const THETA_7: f64 = 0.264;
     const MOST_SQUARE_ROOTS: usize = 1200; // The range of the exponent: nothing finite needs more.
     let n = triangular.nrows();
     let mut root = triangular.clone();
@@ -164,19 +182,24 @@ fn square_root_of_triangular(t: &CMatrix) -> CMatrix {
     root
 }
 
+/// As [`pade_log1p`], for a real matrix that needn't be triangular.
+fn pade_log1p_real(x: &DMatrix<f64>) -> Result<DMatrix<f64>, LtiError> {
+    let n = x.nrows();
+    let mut sum = DMatrix::zeros(n, n);
+    for (node, weight) in NODES {
+        let shifted = DMatrix::identity(n, n) + x * (0.5 * (1.0 + node));
+        let term = shifted
+            .lu()
+            .solve(x)
+            .ok_or(LtiError::Overflow { operation: "the matrix logarithm" })?;
+        sum += term * (0.5 * weight);
+    }
+    Ok(sum)
+}
+
 /// log(I + X) by the Pade approximant of degree 7 in the form sum_j w_j (I + x_j X)^-1 X,
 /// x_j and w_j the nodes and weights of Gauss-Legendre quadrature on [0, 1].
 fn pade_log1p(x: &CMatrix) -> CMatrix {
-    // Nodes and weights on [-1, 1] (Abramowitz & Stegun, table 25.4, n = 7).
-    const NODES: [(f64, f64); 7] = [
-        (-0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
-        (-0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
-        (-0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
-        (0.0, 0.417_959_183_673_469_4),
-        (0.405_845_151_377_397_2, 0.381_830_050_505_118_9),
-        (0.741_531_185_599_394_4, 0.279_705_391_489_276_7),
-        (0.949_107_912_342_758_5, 0.129_484_966_168_869_7),
-    ];
     let n = x.nrows();
     let mut sum = CMatrix::zeros(n, n);
     for (node, weight) in NODES {

@@ -94,8 +94,8 @@ impl TimeDomain for Discrete {}
 /// Maps a point of the z plane to the s plane: `s = log(z) / T`, with the principal logarithm.
 ///
 /// The result is in rad/s. Its imaginary part lies in (-pi/T, pi/T]; whatever happened faster than half
-/// the sample rate is folded into that strip. Near z = 1 the real part keeps its relative accuracy, because
-/// `ln|z|` is computed as `ln_1p((|z|^2 - 1) / 2)`-like without cancellation.
+/// the sample rate is folded into that strip. Next to the unit circle the real part keeps its relative accuracy:
+/// |z|^2 - 1 is formed without cancellation before its logarithm is taken.
 ///
 /// # Errors
 ///

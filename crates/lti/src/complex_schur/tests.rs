@@ -32,15 +32,7 @@ fn pseudorandom_matrices_of_every_small_order() {
 fn hard_cases() {
     // A cyclic permutation (all shifts alike), a Jordan block turned around, a zero matrix, tiny and huge entries.
     let cyclic = DMatrix::from_fn(6, 6, |i, j| if (i + 1) % 6 == j { 1.0 } else { 0.0 });
-    let jordan = DMatrix::from_fn(5, 5, |i, j| {
-        if i == j {
-            1.0
-        } else if i == j + 1 {
-            1.0
-        } else {
-            0.0
-        }
-    });
+    let jordan = DMatrix::from_fn(5, 5, |i, j| if i == j || i == j + 1 { 1.0 } else { 0.0 });
     for a in [cyclic.clone(), jordan, &cyclic * 1e-150, &cyclic * 1e150] {
         let error = check(&a);
         assert!(error < 5.0, "{error} n u for {a}");
