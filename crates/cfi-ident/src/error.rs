@@ -144,6 +144,13 @@ pub enum FitError {
         /// Poles the factor is to hold.
         needed: usize,
     },
+    /// The conic solver found no solution.
+    #[cfg(feature = "regularized")]
+    #[error("the regularised problem was not solved: {status}")]
+    Unsolved {
+        /// How the solver ended.
+        status: crate::regularized::Status,
+    },
     /// A matrix decomposition did not converge.
     #[error("the singular value decomposition of a {size} x {size} triangle did not converge")]
     Decomposition {

@@ -148,7 +148,7 @@ pub fn fit(
             needed: "at least 0 and less than 1",
         });
     }
-    let equations = Equations::new(segments, structure)?;
+    let equations = Equations::new(segments, structure, structure.parameter_count())?;
     let triangle = equations.triangle();
     let parameters = triangle.columns();
     let rounding = f64::EPSILON * count(triangle.rows().max(parameters));

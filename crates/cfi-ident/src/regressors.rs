@@ -82,7 +82,13 @@ pub(crate) struct Equations {
 
 impl Equations {
     /// Checks that the segments can determine the parameters, and scales them.
-    pub(crate) fn new(segments: &[Segment<'_>], structure: &Structure) -> Result<Self, FitError> {
+    ///
+    /// `needed` is the smallest number of equations: for plain least squares the number of parameters.
+    pub(crate) fn new(
+        segments: &[Segment<'_>],
+        structure: &Structure,
+        needed: usize,
+    ) -> Result<Self, FitError> {
         let orders = structure.orders;
         if segments.is_empty() {
             return Err(FitError::NoSegment);
@@ -91,14 +97,14 @@ impl Equations {
             segments.iter().filter(|s| orders.equations(s.samples()) > 0).collect();
         let rows = used.iter().map(|s| orders.equations(s.samples())).sum();
         let parameters = structure.parameter_count();
-        if rows < parameters {
+        if rows < needed {
             return Err(FitError::TooFewSamples {
                 samples: segments.iter().map(Segment::samples).sum(),
                 segments: segments.len(),
                 equations: rows,
                 parameters,
                 orders,
-                needed: parameters + orders.causal() + orders.reach(),
+                needed: needed + orders.causal() + orders.reach(),
             });
         }
         if used.iter().all(|s| s.input().iter().all(|x| x.total_cmp(&s.input()[0]).is_eq())) {

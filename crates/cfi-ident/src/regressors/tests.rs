@@ -31,7 +31,7 @@ fn equations_use_every_sample_and_none_beyond() {
     let segment = Segment::new(&input, &output).unwrap();
     let wide = structure(3, 1, 2);
     // More equations than parameters are needed: give the segment twice.
-    let equations = Equations::new(&[segment, segment], &wide).unwrap();
+    let equations = Equations::new(&[segment, segment], &wide, 6).unwrap();
     assert_eq!((equations.rows, equations.input_exponent, equations.output_exponent), (8, 2, 6));
     let mut steps = Vec::new();
     equations.for_each_block(3, |index, step, count| {
@@ -69,9 +69,9 @@ fn scaling_by_powers_of_two_is_exact_at_every_magnitude() {
 fn what_cannot_be_fitted_is_refused_with_numbers() {
     let orders = structure(4, 25, 25);
     let ramp: Vec<f64> = (0..103).map(f64::from).collect();
-    assert_eq!(Equations::new(&[], &orders).unwrap_err(), FitError::NoSegment);
+    assert_eq!(Equations::new(&[], &orders, 54).unwrap_err(), FitError::NoSegment);
     let short = Segment::new(&ramp, &ramp).unwrap();
-    match Equations::new(&[short], &orders).unwrap_err() {
+    match Equations::new(&[short], &orders, 54).unwrap_err() {
         FitError::TooFewSamples {
             samples: 103,
             equations: 53,
@@ -85,7 +85,7 @@ fn what_cannot_be_fitted_is_refused_with_numbers() {
     let output: Vec<f64> = (0..200).map(f64::from).collect();
     let constant = Segment::new(&flat, &output).unwrap();
     assert_eq!(
-        Equations::new(&[constant, constant], &orders).unwrap_err(),
+        Equations::new(&[constant, constant], &orders, 54).unwrap_err(),
         FitError::ConstantInput { value: 2.5 }
     );
 }
@@ -95,7 +95,7 @@ fn segments_too_short_for_an_equation_are_counted() {
     let ramp: Vec<f64> = (0..40).map(|i| f64::from(i * i % 7)).collect();
     let long = Segment::new(&ramp, &ramp).unwrap();
     let short = Segment::new(&ramp[..5], &ramp[..5]).unwrap();
-    let equations = Equations::new(&[short, long, short], &structure(3, 2, 4)).unwrap();
+    let equations = Equations::new(&[short, long, short], &structure(3, 2, 4), 9).unwrap();
     assert_eq!(
         (equations.segments_without_equation, equations.samples_used, equations.rows),
         (2, 40, 34)

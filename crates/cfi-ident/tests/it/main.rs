@@ -2,5 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 
+mod limits;
 mod noise_free;
+mod planted;
 mod records;

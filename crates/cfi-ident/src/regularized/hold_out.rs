@@ -1,0 +1,143 @@
+//! The weight of the penalty, given or chosen on samples that the fit has not seen.
+
+use super::{Regularization, Settings, fit::Penalised};
+use crate::{FitError, Segment, Structure, fit::count};
+
+/// The weight of the penalty.
+///
+/// # Example
+///
+/// ```
+/// use cfi_ident::regularized::Lambda;
+///
+/// // The last quarter of each segment decides between five decades.
+/// let lambda = Lambda::HoldOut { candidates: vec![1e-5, 1e-4, 1e-3, 1e-2, 1e-1], fraction: 0.25 };
+/// # let _ = lambda;
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum Lambda {
+    /// This value, at least 0.
+    Given(f64),
+    /// The candidate whose model predicts the held-out samples best, one step ahead. The fit is then repeated on all samples.
+    ///
+    /// With noise on both sensors the one-step prediction favours small weights: it rewards a model of the noise as well.
+    HoldOut {
+        /// Values to try, each at least 0.
+        candidates: Vec<f64>,
+        /// The share of each segment, taken from its end, that is held out: above 0 and below 1.
+        fraction: f64,
+    },
+}
+
+/// What one candidate reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct HoldOutScore {
+    /// The candidate.
+    pub lambda: f64,
+    /// Root mean square of the one-step prediction error on the held-out samples, in the unit of the pseudo output; `None` where
+    /// the solver failed.
+    pub prediction_rms: Option<f64>,
+}
+
+impl Lambda {
+    pub(crate) fn check(&self) -> Result<(), FitError> {
+        let weight = |value: f64| {
+            let needed = "finite and at least 0";
+            let good = value.is_finite() && value >= 0.0;
+            if good { Ok(()) } else { Err(FitError::BadValue { what: "lambda", value, needed }) }
+        };
+        match self {
+            Self::Given(value) => weight(*value),
+            Self::HoldOut { candidates, fraction } => {
+                if !(*fraction > 0.0 && *fraction < 1.0) {
+                    let what = "the held-out fraction";
+                    return Err(FitError::BadValue {
+                        what,
+                        value: *fraction,
+                        needed: "above 0 and below 1",
+                    });
+                }
+                if candidates.is_empty() {
+                    let what = "the number of candidates for lambda";
+                    return Err(FitError::BadValue { what, value: 0.0, needed: "at least 1" });
+                }
+                candidates.iter().try_for_each(|value| weight(*value))
+            }
+        }
+    }
+}
+
+/// The best candidate on held-out samples, and all scores in the order of the candidates. Of equal scores the larger weight wins.
+pub(crate) fn choose(
+    segments: &[Segment<'_>],
+    structure: &Structure,
+    regularization: Regularization,
+    candidates: &[f64],
+    fraction: f64,
+    settings: &Settings,
+) -> Result<(f64, Vec<HoldOutScore>), FitError> {
+    let cuts = segments.iter().map(|s| cut(s.samples(), fraction));
+    let training: Vec<_> =
+        segments.iter().zip(cuts.clone()).map(|(s, cut)| s.part(0, cut)).collect();
+    let held_out: Vec<_> =
+        segments.iter().zip(cuts).map(|(s, cut)| s.part(cut, s.samples())).collect();
+    let usable = |s: &&Segment<'_>| structure.orders.equations(s.samples()) > 0;
+    let held_out: Vec<_> = held_out.iter().filter(usable).collect();
+    if held_out.is_empty() {
+        let samples =
+            segments.iter().map(|s| s.samples() - cut(s.samples(), fraction)).max().unwrap_or(0);
+        let orders = structure.orders;
+        return Err(FitError::TooShort {
+            samples,
+            orders,
+            needed: orders.causal() + orders.reach() + 1,
+        });
+    }
+    let penalised = Penalised::new(&training, structure)?;
+    let mut scores = Vec::with_capacity(candidates.len());
+    let mut failure = None;
+    for lambda in candidates {
+        let prediction_rms = match penalised.solve(regularization, *lambda, settings) {
+            Ok(fit) => {
+                let mut squares = 0.0;
+                let mut number = 0;
+                for segment in &held_out {
+                    let residuals = fit.model.residuals(segment.input(), segment.output())?.values;
+                    number += residuals.len();
+                    squares += residuals.iter().map(|x| x * x).sum::<f64>();
+                }
+                Some((squares / count(number)).sqrt())
+            }
+            Err(error @ FitError::Unsolved { .. }) => {
+                failure = Some(error);
+                None
+            }
+            Err(other) => return Err(other),
+        };
+        scores.push(HoldOutScore { lambda: *lambda, prediction_rms });
+    }
+    let best = scores
+        .iter()
+        .filter_map(|score| score.prediction_rms.map(|rms| (rms, score.lambda)))
+        .min_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    match (best, failure) {
+        (Some((_, lambda)), _) => Ok((lambda, scores)),
+        (None, Some(error)) => Err(error),
+        (None, None) => Err(FitError::BadValue {
+            what: "the number of candidates for lambda",
+            value: 0.0,
+            needed: "at least 1",
+        }),
+    }
+}
+
+/// The number of samples left for the fit.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the product is between 0 and the number of samples"
+)]
+fn cut(samples: usize, fraction: f64) -> usize {
+    ((count(samples) * (1.0 - fraction)).round() as usize).min(samples)
+}
