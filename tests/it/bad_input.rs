@@ -14,7 +14,11 @@ fn refuses(bytes: impl AsRef<[u8]>, more: &[&str], expected: &str) {
     let ran = transmode(&words);
     assert_eq!(ran.exit, Exit::BadInput, "{}", ran.out);
     assert_eq!(ran.out, "");
-    assert!(ran.err.starts_with("error: ") && ran.err.trim_end().lines().count() == 1, "{}", ran.err);
+    assert!(
+        ran.err.starts_with("error: ") && ran.err.trim_end().lines().count() == 1,
+        "{}",
+        ran.err
+    );
     assert!(ran.err.contains(expected), "{}", ran.err);
     assert_eq!(folder.names(), ["bad.csv"]);
 }
@@ -40,9 +44,21 @@ fn files_that_are_no_tables() {
     refuses("\n\n\n", &[], "bad.csv holds no samples");
     refuses("0,1,2,3,4\n0.1,1,2,3,4\n", &[], "the first line is a row of numbers");
     refuses(b"\x7fELF\x02\x01\x00\xff\xfe", &[], "bad.csv");
-    refuses(b"time,beta,p,r,phi\n0,1,2,\xff\xfe,4\n", &[], "bad.csv, line 2: the file is not UTF-8 text");
-    refuses(header() + "0,1,2,3,4\n0.1,1,2,3\n", &[], "bad.csv, line 3: 4 fields, but the header names 5 columns");
-    refuses(header() + "0,1,2,3,4,5\n", &[], "bad.csv, line 2: 6 fields, but the header names 5 columns");
+    refuses(
+        b"time,beta,p,r,phi\n0,1,2,\xff\xfe,4\n",
+        &[],
+        "bad.csv, line 2: the file is not UTF-8 text",
+    );
+    refuses(
+        header() + "0,1,2,3,4\n0.1,1,2,3\n",
+        &[],
+        "bad.csv, line 3: 4 fields, but the header names 5 columns",
+    );
+    refuses(
+        header() + "0,1,2,3,4,5\n",
+        &[],
+        "bad.csv, line 2: 6 fields, but the header names 5 columns",
+    );
     refuses("time,beta,beta,r,phi\n0,1,2,3,4\n", &[], "column \"beta\" is there twice");
 }
 
@@ -50,7 +66,11 @@ fn files_that_are_no_tables() {
 fn fields_that_are_no_numbers() {
     for text in ["NaN", "nan", "inf", "-Infinity", "abc", "", "1e999", "1;5", "0x10"] {
         let table = rows(100, |k| if k == 40 { format!("4,1,{text},3,4\n") } else { good_row(k) });
-        refuses(table, &[], &format!("bad.csv, line 42, column \"p\": {text:?} is not a finite number"));
+        refuses(
+            table,
+            &[],
+            &format!("bad.csv, line 42, column \"p\": {text:?} is not a finite number"),
+        );
     }
 }
 
@@ -59,7 +79,11 @@ fn time_that_does_not_advance_evenly() {
     let table = |change: fn(u32) -> u32| rows(200, move |k| good_row(change(k)));
     refuses(table(|k| k + u32::from(k >= 90)), &[], "bad.csv, line 92: time advances by 0.2");
     refuses(table(|k| k - u32::from(k >= 90)), &[], "bad.csv, line 92: time advances by 0 s");
-    refuses(table(|k| if k == 90 { 10 } else { k }), &[], "bad.csv, line 92: time advances by -7.9");
+    refuses(
+        table(|k| if k == 90 { 10 } else { k }),
+        &[],
+        "bad.csv, line 92: time advances by -7.9",
+    );
     refuses(table(|_| 7), &[], "bad.csv, line 3: time advances by 0 s");
     refuses(header() + &good_row(0), &[], "bad.csv holds 1 sample(s)");
     refuses(rows(200, |k| good_row(k).replacen(',', "e300,", 1)), &[], "bad.csv");
@@ -68,10 +92,18 @@ fn time_that_does_not_advance_evenly() {
 #[test]
 fn columns_that_are_not_there() {
     let good = || rows(200, good_row);
-    refuses(good(), &["--outputs", "beta,p,q"], "bad.csv has no column \"q\"; it has time, beta, p, r, phi");
+    refuses(
+        good(),
+        &["--outputs", "beta,p,q"],
+        "bad.csv has no column \"q\"; it has time, beta, p, r, phi",
+    );
     refuses(good(), &["--time", "clock"], "bad.csv has no column \"clock\"");
     refuses(good(), &["--outputs", "beta,p,p"], "--outputs names \"p\" twice");
-    refuses(good(), &["--outputs", "beta,time,p"], "--outputs names \"time\" as a sensor, but it is the column of time");
+    refuses(
+        good(),
+        &["--outputs", "beta,time,p"],
+        "--outputs names \"time\" as a sensor, but it is the column of time",
+    );
     refuses(good(), &["--outputs", "beta,,p"], "separate the names by single commas");
     refuses(good(), &["--outputs", "beta,p"], "2 sensor channel(s), but 3 are needed");
     refuses("time,beta,p\n0,1,2\n0.1,2,3\n", &[], "has channels beta, p");
@@ -81,9 +113,12 @@ fn columns_that_are_not_there() {
 #[test]
 fn records_that_say_too_little() {
     refuses(rows(60, good_row), &[], "60 samples");
-    let constant = rows(200, |k| format!("{},1.5,{k},{},{}\n", f64::from(k) / 10.0, k * k % 13, k % 7));
+    let constant =
+        rows(200, |k| format!("{},1.5,{k},{},{}\n", f64::from(k) / 10.0, k * k % 13, k % 7));
     refuses(constant, &[], "constant");
-    let slow = rows(200, |k| format!("{},{k},{},{},{}\n", f64::from(k) / 5.0, k * k % 31, k * k % 13, k % 7));
+    let slow = rows(200, |k| {
+        format!("{},{k},{},{},{}\n", f64::from(k) / 5.0, k * k % 31, k * k % 13, k % 7)
+    });
     refuses(slow, &[], "is sampled every 0.1 s, record \"bad.csv\" every 0.2 s");
 }
 
@@ -91,15 +126,18 @@ fn records_that_say_too_little() {
 fn orders_that_cannot_be() {
     let [good, more] = ["noise_free_aileron.csv", "noise_free_rudder.csv"].map(shipped);
     let check = |words: &[&str], expected: &str| {
-        let ran = transmode(&[&["identify", &good, &more, "--outputs", "beta,p,r"], words].concat());
+        let ran =
+            transmode(&[&["identify", &good, &more, "--outputs", "beta,p,r"], words].concat());
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::BadInput, ""), "{words:?}");
         assert!(ran.err.contains(expected), "{}", ran.err);
     };
     check(&["--causal", "1000000"], "10000 parameters");
-    check(&["--iir", "0", "--causal", "0", "--anticausal", "0"], "order");
+    for option in ["--iir", "--causal", "--anticausal"] {
+        check(&[option, "0"], "an order must be at least 1");
+        check(&[option, "four"], &format!("invalid value 'four' for '{option}"));
+    }
     check(&["--causal", "3000"], "samples");
-    check(&["--iir", "-1"], "--iir");
-    check(&["--iir", "four"], "invalid value 'four'");
+    check(&["--iir", "-1"], "an order is a whole number, at least 1");
 }
 
 #[test]

@@ -21,7 +21,14 @@ fn names_the_modes_of_the_aircraft() {
     let [aileron, rudder] = noise_free();
     let ran = transmode(&["identify", &aileron, &rudder, "--outputs", "beta,p,r"]);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
-    for text in ["Dutch roll", "-0.0705941 ± j1.69168", "roll subsidence", "-0.545563", "spiral", "-0.00156364"] {
+    for text in [
+        "Dutch roll",
+        "-0.0705941 ± j1.69168",
+        "roll subsidence",
+        "-0.545563",
+        "spiral",
+        "-0.00156364",
+    ] {
         assert!(ran.out.contains(text), "{text} is missing in\n{}", ran.out);
     }
     assert!(ran.out.contains("4 shared zeros of 2 differences"), "{}", ran.out);
@@ -55,7 +62,9 @@ fn json_holds_the_numbers_in_full() {
     }
     let transmissibilities = json["transmissibilities"].as_array().unwrap();
     assert_eq!(transmissibilities.len(), 4);
-    assert!(transmissibilities.iter().all(|found| found["rank"] == 54 && found["parameters"] == 54));
+    assert!(
+        transmissibilities.iter().all(|found| found["rank"] == 54 && found["parameters"] == 54)
+    );
 
     // On standard output the JSON stands alone, and is the same.
     let ran = transmode(&[&words[..], &["-"]].concat());
@@ -84,7 +93,11 @@ fn the_column_of_time_can_be_named() {
     let words = ["identify", &renamed[0], &renamed[1], "--outputs", "beta,p,r"];
     let ran = transmode(&words);
     assert_eq!(ran.exit, Exit::BadInput);
-    assert!(ran.err.contains("none of its columns (seconds, beta, p, r, phi) is called time"), "{}", ran.err);
+    assert!(
+        ran.err.contains("none of its columns (seconds, beta, p, r, phi) is called time"),
+        "{}",
+        ran.err
+    );
     assert_eq!(transmode(&[&words[..], &["--time", "seconds"]].concat()).exit, Exit::Fine);
 }
 
@@ -110,7 +123,11 @@ fn noise_is_told_and_the_exit_code_says_it() {
     });
     let ran = transmode(&["identify", &noisy[0], &noisy[1], "--outputs", "beta,p,r"]);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Doubtful, ""));
-    assert!(ran.out.contains("warning: record noise_free_aileron.csv, sensor p: the fit leaves"), "{}", ran.out);
+    assert!(
+        ran.out.contains("warning: record noise_free_aileron.csv, sensor p: the fit leaves"),
+        "{}",
+        ran.out
+    );
 }
 
 #[test]

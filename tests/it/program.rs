@@ -14,7 +14,11 @@ pub(crate) struct Ran {
 /// `transmode WORDS`.
 pub(crate) fn transmode(words: &[&str]) -> Ran {
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let exit = transmode::run(std::iter::once("transmode").chain(words.iter().copied()), &mut out, &mut err);
+    let exit = transmode::run(
+        std::iter::once("transmode").chain(words.iter().copied()),
+        &mut out,
+        &mut err,
+    );
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Ran { exit, out: text(out), err: text(err) }
 }
@@ -46,7 +50,8 @@ impl Folder {
 
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.0.path()).unwrap();
-        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }

@@ -40,20 +40,29 @@ pub(crate) struct IdentifyArgs {
     pub(crate) time: Option<String>,
 
     /// Poles kept in the IIR factor of the composite model, l.
-    #[arg(long, default_value_t = 4, value_name = "L")]
+    #[arg(long, default_value_t = 4, value_name = "L", value_parser = order, allow_negative_numbers = true)]
     pub(crate) iir: usize,
 
     /// Causal length of the FIR factor in samples, r.
-    #[arg(long, default_value_t = 25, value_name = "R")]
+    #[arg(long, default_value_t = 25, value_name = "R", value_parser = order, allow_negative_numbers = true)]
     pub(crate) causal: usize,
 
     /// Anticausal length of the FIR factor in samples, d.
-    #[arg(long, default_value_t = 25, value_name = "D")]
+    #[arg(long, default_value_t = 25, value_name = "D", value_parser = order, allow_negative_numbers = true)]
     pub(crate) anticausal: usize,
 
     /// Write the result as JSON to this file, or to standard output in place of the table with -.
     #[arg(long, value_name = "FILE|-")]
     pub(crate) json: Option<PathBuf>,
+}
+
+/// An order of the composite model.
+fn order(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(0) => Err("an order must be at least 1".to_owned()),
+        Ok(order) => Ok(order),
+        Err(_) => Err("an order is a whole number, at least 1".to_owned()),
+    }
 }
 
 const IDENTIFY_HELP: &str = "\

@@ -37,7 +37,11 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, Comm
         output::write_whole(file, &json::render(&records, &result, &found)?, out)?;
     }
     if args.json.as_deref() != Some(standard_output) {
-        output::write_whole(standard_output, text::render(&records, &result, &found).as_bytes(), out)?;
+        output::write_whole(
+            standard_output,
+            text::render(&records, &result, &found).as_bytes(),
+            out,
+        )?;
     }
     Ok(if result.doubts.is_empty() { Exit::Fine } else { Exit::Doubtful })
 }

@@ -27,6 +27,8 @@ fn system() -> [DMatrix<BigInt>; 3] {
     ]
 }
 
+/// Computes and checks the numerators of paper eq. (22) and paper eq. (23), the determinant of paper eq. (24) and its roots,
+/// paper eq. (25).
 pub(crate) fn build(_: &Flight) -> Result<Part, TaskError> {
     let fault = TaskError::computation(PART);
     let [a, b, c] = system();

@@ -25,7 +25,7 @@ pub(super) fn render(records: &[Record], result: &AsPrinted, found: &[Found]) ->
             "record: {}, {} samples, every {} s",
             record.name(),
             record.samples(),
-            format_significant(record.period().seconds(), 6)
+            record.period().seconds()
         );
     }
     if !found.is_empty() {
@@ -33,12 +33,16 @@ pub(super) fn render(records: &[Record], result: &AsPrinted, found: &[Found]) ->
     }
     let worst =
         result.identifications.iter().map(|found| found.fit.relative_residual).fold(0.0, f64::max);
+    let spread = if found.is_empty() {
+        String::new()
+    } else {
+        format!(", largest spread {}", format_significant(result.shared.largest_spread(), 2))
+    };
     let _ = writeln!(
         text,
-        "\n{} shared zeros of {} differences, largest spread {}, largest relative residual {}",
+        "\n{} shared zeros of {} differences{spread}; largest relative residual of a fit {}",
         result.shared.zeros.len(),
         result.differences.len(),
-        format_significant(result.shared.largest_spread(), 2),
         format_significant(worst, 2)
     );
     for doubt in &result.doubts {

@@ -24,7 +24,11 @@ pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
         .iter()
         .position(|step| !(*step > 0.0 && (step - usual).abs() <= LARGEST_JITTER * usual));
     Some(match fault {
-        Some(index) => Sampling::Uneven { index: index + 1, step_s: steps[index], period_s: usual },
+        Some(index) => Sampling::Uneven {
+            index: index + 1,
+            step_s: without_rounding(steps[index]),
+            period_s: without_rounding(usual),
+        },
         // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
         // so that records of different length have the same period.
         #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
@@ -38,7 +42,7 @@ fn median(values: &[f64]) -> Option<f64> {
     sorted.get(sorted.len() / 2).copied()
 }
 
-/// The value with 12 significant digits: what is left of 0.1 after subtracting stamps near 200.
+/// The value with 12 significant digits: what is left of 0.1 after subtracting stamps near 200 s.
 fn without_rounding(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
