@@ -2,7 +2,7 @@
 //!
 //! A value is an unevaluated pair `high + low`. Products are split by Veltkamp's method instead of a fused multiply-add, because
 //! that one is a slow library call where the target has no such instruction, and the split of a signal can be kept.
-//! Source: Ogita, Rump & Oishi, *Accurate sum and dot product*, SIAM J. Sci. Comput. 26 (2005), algorithms 3.1 to 3.5 and 5.3.
+//! Source: Ogita, Rump & Oishi, *Accurate sum and dot product*, SIAM J. Sci. Comput. 26 (2005), algorithms 3.1 to 3.3 and 5.3.
 
 /// 2^27 + 1: halves a 53-bit significand.
 const SPLITTER: f64 = 134_217_729.0;

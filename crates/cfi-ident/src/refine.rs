@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Each step shrinks the error by about the condition number times the rounding unit, so two or three suffice (Björck, *Numerical
-//! Methods for Least Squares Problems*, SIAM 1996, section 2.9 and 6.6).
+//! Methods for Least Squares Problems*, SIAM 1996: corrected seminormal equations).
 
 use nalgebra::DVector;
 
@@ -30,7 +30,7 @@ pub struct Refinement {
     pub steps: usize,
     /// Norm of the last correction over the norm of the parameters, in units in which each regressor has norm one; 0 without steps.
     pub last_correction: f64,
-    /// Whether the last correction was at rounding level, or none was asked for.
+    /// Whether the last correction was at rounding level; `false` if no step was asked for.
     pub converged: bool,
 }
 

@@ -5,11 +5,13 @@ use nalgebra::{DMatrix, DVector};
 use super::{
     HoldOutScore, Lambda, Regularization, Settings, Status,
     hold_out::choose,
-    program::{Program, penalty},
-    solver::solve,
+    program::{Cornered, Program, nuclear_norm},
+    solver::{Solution, solve},
+    weight,
 };
 use crate::{
-    CfiModel, FitError, Segment, Structure,
+    CfiModel, FitError, Parameter, Segment, Structure,
+    factor::Factor,
     fit::count,
     regressors::{Channel, Equations, scale},
     triangle::Triangle,
@@ -29,7 +31,8 @@ pub struct RegularizedFit {
     pub objective: f64,
     /// P(g) at the solution.
     pub penalty: f64,
-    /// The objective minus the solver's lower bound for it, over the objective: how far from the optimum the solution can be.
+    /// Distance between the objective and the solver's lower bound for it, over the objective. Zero for penalties of squares, which
+    /// need no solver.
     pub relative_gap: f64,
     /// 2-norm of the residual Psi - theta Phi, in the unit of the pseudo output.
     pub residual_norm: f64,
@@ -39,7 +42,7 @@ pub struct RegularizedFit {
     pub relative_residual: f64,
     /// How the solver ended: solved or almost solved.
     pub status: Status,
-    /// Iterations of the solver.
+    /// Iterations of the solver; 0 for penalties of squares.
     pub iterations: u32,
     /// Equations, that is columns of Phi.
     pub equations: usize,
@@ -137,8 +140,24 @@ impl Penalised {
         settings: &Settings,
     ) -> Result<RegularizedFit, FitError> {
         let structure = self.equations.structure;
-        let program = Program::new(&self.a, &self.b, structure, regularization, lambda);
-        let solution = solve(&program, settings)?;
+        let cornered = match regularization {
+            _ if lambda == 0.0 => None,
+            Regularization::Lasso => Some(Cornered::Lasso),
+            Regularization::NuclearNorm => Some(Cornered::NuclearNorm),
+            Regularization::Ridge | Regularization::ExponentiallyWeighted { .. } => None,
+        };
+        let (solution, bound) = match cornered {
+            Some(penalty) => {
+                let program = Program::new(&self.a, &self.b, structure, penalty, lambda);
+                let solution = solve(&program, settings)?;
+                let bound = lambda * solution.dual_objective;
+                (solution, Some(bound))
+            }
+            None => {
+                let weights = square_weights(structure, regularization) * lambda;
+                (self.solve_directly(&weights)?, None)
+            }
+        };
         let parameters = self.a.ncols();
         let x = DVector::from_column_slice(&solution.variables[..parameters]);
         let theta: Vec<f64> = x
@@ -155,10 +174,9 @@ impl Penalised {
         let unexplained = if target > 0.0 { self.triangle.residual_norm() / target } else { 0.0 };
         let explained = (&self.b - &self.a * &x).norm();
         let relative_residual = explained.hypot(unexplained);
-        let penalty =
-            penalty(structure, regularization, &x.as_slice()[structure.denominator_count()..]);
+        let penalty = penalty(structure, regularization, &x);
         let objective = relative_residual.powi(2) / 2.0 + lambda * penalty;
-        let bound = solution.dual_objective + unexplained.powi(2) / 2.0;
+        let gap = bound.map_or(0.0, |bound| (objective - bound - unexplained.powi(2) / 2.0).abs());
         let residual_norm = scale(relative_residual * target, self.equations.output_exponent);
         Ok(RegularizedFit {
             model: CfiModel::from_theta(structure, &theta)?,
@@ -166,11 +184,7 @@ impl Penalised {
             lambda,
             objective,
             penalty,
-            relative_gap: if objective > 0.0 {
-                (objective - bound).max(0.0) / objective
-            } else {
-                0.0
-            },
+            relative_gap: if objective > 0.0 { gap / objective } else { 0.0 },
             residual_norm,
             residual_rms: residual_norm / count(self.equations.rows).sqrt(),
             relative_residual,
@@ -179,5 +193,50 @@ impl Penalised {
             equations: self.equations.rows,
             hold_out: Vec::new(),
         })
+    }
+
+    /// Squares as a penalty: the rows sqrt(weights) are folded into the triangle, and the solution is one of plain least squares.
+    fn solve_directly(&self, weights: &DVector<f64>) -> Result<Solution, FitError> {
+        let parameters = self.a.ncols();
+        let mut triangle = Triangle::new(parameters);
+        let mut block = DMatrix::zeros(2 * parameters, parameters + 1);
+        block.view_mut((0, 0), (parameters, parameters)).copy_from(&self.a);
+        block.view_mut((0, parameters), (parameters, 1)).copy_from(&self.b);
+        for (i, weight) in weights.iter().enumerate() {
+            block[(parameters + i, i)] = weight.sqrt();
+        }
+        triangle.absorb(&mut block);
+        let factor =
+            Factor::new(&triangle, f64::EPSILON * count(self.equations.rows.max(parameters)))?;
+        let variables = factor.solve(&triangle.right_hand_side()).as_slice().to_vec();
+        Ok(Solution { variables, dual_objective: 0.0, status: Status::Solved, iterations: 0 })
+    }
+}
+
+/// The weight of each parameter's square, twice the penalty's factor; zero for what is not penalised by squares.
+fn square_weights(structure: Structure, regularization: Regularization) -> DVector<f64> {
+    let of = |parameter| match (parameter, regularization) {
+        (Parameter::Markov(_), Regularization::Ridge) => 1.0,
+        (Parameter::Markov(i), Regularization::ExponentiallyWeighted { decay }) => {
+            weight(decay, i.unsigned_abs())
+        }
+        _ => 0.0,
+    };
+    DVector::from_iterator(structure.parameter_count(), structure.parameters().map(of))
+}
+
+/// P(g): the penalty without its factor.
+fn penalty(structure: Structure, regularization: Regularization, x: &DVector<f64>) -> f64 {
+    let g = &x.as_slice()[structure.denominator_count()..];
+    match regularization {
+        Regularization::Ridge | Regularization::ExponentiallyWeighted { .. } => {
+            square_weights(structure, regularization).component_mul(x).dot(x) / 2.0
+        }
+        Regularization::Lasso => g.iter().map(|g| g.abs()).sum(),
+        Regularization::NuclearNorm => {
+            let (future, past) = g.split_at(structure.orders.anticausal());
+            let future: Vec<f64> = future.iter().rev().copied().collect();
+            nuclear_norm(&past[1..]) + nuclear_norm(&future)
+        }
     }
 }

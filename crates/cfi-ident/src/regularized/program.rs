@@ -1,16 +1,24 @@
-//! The penalised least-squares problem as a conic program with a diagonal quadratic term.
+//! The lasso and the nuclear norm as conic programs with a diagonal quadratic term.
 //!
 //! ```text
 //! minimise    1/2 v' diag(quadratic) v + linear' v     subject to   offsets - constraints v  in  cones
 //! ```
 //!
-//! The variables are v = [x e extra]: the parameters x (c, then g), the residual e, and what the penalty needs. Tying e = b - A x by
-//! equations instead of forming A'A keeps the condition number from being squared.
+//! The variables are v = [x e extra]: the parameters x (c, then g), the residual e, and what the penalty needs. Tying
+//! A x + sqrt(lambda) e = b by equations instead of forming A'A keeps the condition number from being squared. The objective is divided by
+//! lambda, so that it has the size of the penalty: a small lambda then asks for a small residual and not for a tiny
+//! change of an objective that the solver's tolerance cannot see.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Regularization, weight};
-use crate::{Parameter, Structure};
+use crate::Structure;
+
+/// The penalties with corners, which need a cone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cornered {
+    Lasso,
+    NuclearNorm,
+}
 
 /// A cone for consecutive rows of the constraints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,12 +51,12 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// 1/2 ||b - A x||^2 + lambda P, for square A.
+    /// 1/2 ||e||^2 + P(x) with A x + sqrt(lambda) e = b, for square A, lambda above zero and a penalty that is not quadratic.
     pub(crate) fn new(
         a: &DMatrix<f64>,
         b: &DVector<f64>,
         structure: Structure,
-        regularization: Regularization,
+        penalty: Cornered,
         lambda: f64,
     ) -> Self {
         let mut program = Self::default();
@@ -59,61 +67,43 @@ impl Program {
             for (j, value) in row.iter().enumerate().filter(|(_, value)| **value != 0.0) {
                 program.constraints.push(Entry { row: i, column: j, value: *value });
             }
-            program.constraints.push(Entry { row: i, column: residual + i, value: 1.0 });
+            program.constraints.push(Entry { row: i, column: residual + i, value: lambda.sqrt() });
         }
         program.offsets.extend(b.iter());
         program.cones.push(Cone::Zero(b.len()));
-        if lambda > 0.0 {
-            program.penalise(structure, regularization, lambda);
-        }
-        program
-    }
-
-    fn penalise(&mut self, structure: Structure, regularization: Regularization, lambda: f64) {
         let markov = structure.denominator_count();
-        match regularization {
-            Regularization::Ridge => self.weigh_squares(structure, |_| lambda),
-            Regularization::ExponentiallyWeighted { decay } => {
-                self.weigh_squares(structure, |i| lambda * weight(decay, i));
-            }
-            Regularization::Lasso => {
-                // t_i - x_i and t_i + x_i are at least zero.
-                let count = structure.markov_count();
-                let bound = self.add_variables(count, 0.0, lambda);
-                for sign in [1.0, -1.0] {
-                    for i in 0..count {
-                        let row = self.offsets.len();
-                        self.constraints.push(Entry { row, column: markov + i, value: sign });
-                        self.constraints.push(Entry { row, column: bound + i, value: -1.0 });
-                        self.offsets.push(0.0);
-                    }
-                }
-                self.cones.push(Cone::Nonnegative(2 * count));
-            }
-            Regularization::NuclearNorm => {
+        match penalty {
+            Cornered::Lasso => program.add_magnitudes(markov, structure.markov_count()),
+            Cornered::NuclearNorm => {
                 let zero = markov + structure.orders.anticausal();
                 let causal: Vec<usize> =
                     (1..=structure.orders.causal()).map(|i| zero + i).collect();
                 let anticausal: Vec<usize> =
                     (1..=structure.orders.anticausal()).map(|i| zero - i).collect();
-                self.add_nuclear_norm(&causal, lambda);
-                self.add_nuclear_norm(&anticausal, lambda);
+                program.add_nuclear_norm(&causal);
+                program.add_nuclear_norm(&anticausal);
             }
         }
+        program
     }
 
-    /// The quadratic term of h_i becomes `weight(|i|)`.
-    fn weigh_squares(&mut self, structure: Structure, weight: impl Fn(usize) -> f64) {
-        for (position, parameter) in structure.parameters().enumerate() {
-            if let Parameter::Markov(i) = parameter {
-                self.quadratic[position] = weight(i.unsigned_abs());
+    /// The sum of the magnitudes of `count` variables from `first` on: t_i - x_i and t_i + x_i are at least zero.
+    fn add_magnitudes(&mut self, first: usize, count: usize) {
+        let bound = self.add_variables(count, 0.0, 1.0);
+        for sign in [1.0, -1.0] {
+            for i in 0..count {
+                let row = self.offsets.len();
+                self.constraints.push(Entry { row, column: first + i, value: sign });
+                self.constraints.push(Entry { row, column: bound + i, value: -1.0 });
+                self.offsets.push(0.0);
             }
         }
+        self.cones.push(Cone::Nonnegative(2 * count));
     }
 
-    /// lambda times the sum of singular values of the Hankel matrix H of these variables: half the smallest trace of
+    /// The sum of singular values of the Hankel matrix H of these variables: half the smallest trace of
     /// W_1 and W_2 with [W_1 H; H' W_2] positive semidefinite.
-    fn add_nuclear_norm(&mut self, sequence: &[usize], lambda: f64) {
+    fn add_nuclear_norm(&mut self, sequence: &[usize]) {
         let (rows, columns) = hankel_shape(sequence.len());
         if rows == 0 {
             return;
@@ -124,7 +114,7 @@ impl Program {
                 let variable = if i < rows && j >= rows {
                     sequence[i + j - rows]
                 } else {
-                    self.add_variables(1, 0.0, if i == j { lambda / 2.0 } else { 0.0 })
+                    self.add_variables(1, 0.0, if i == j { 0.5 } else { 0.0 })
                 };
                 let value = if i == j { -1.0 } else { -std::f64::consts::SQRT_2 };
                 self.constraints.push(Entry { row: self.offsets.len(), column: variable, value });
@@ -149,29 +139,8 @@ pub(crate) fn hankel_shape(count: usize) -> (usize, usize) {
     (rows, if rows == 0 { 0 } else { count + 1 - rows })
 }
 
-/// P(g): the penalty without its factor.
-pub(crate) fn penalty(structure: Structure, regularization: Regularization, g: &[f64]) -> f64 {
-    let half_squares = |weight: &dyn Fn(usize) -> f64| {
-        let markov = structure.parameters().filter_map(|parameter| match parameter {
-            Parameter::Markov(i) => Some(weight(i.unsigned_abs())),
-            Parameter::Denominator(_) => None,
-        });
-        markov.zip(g).map(|(weight, g)| weight * g * g).sum::<f64>() / 2.0
-    };
-    match regularization {
-        Regularization::Ridge => half_squares(&|_| 1.0),
-        Regularization::ExponentiallyWeighted { decay } => half_squares(&|i| weight(decay, i)),
-        Regularization::Lasso => g.iter().map(|g| g.abs()).sum(),
-        Regularization::NuclearNorm => {
-            let (future, past) = g.split_at(structure.orders.anticausal());
-            let future: Vec<f64> = future.iter().rev().copied().collect();
-            nuclear_norm(&past[1..]) + nuclear_norm(&future)
-        }
-    }
-}
-
 /// Sum of the singular values of the Hankel matrix of a sequence.
-fn nuclear_norm(sequence: &[f64]) -> f64 {
+pub(crate) fn nuclear_norm(sequence: &[f64]) -> f64 {
     let (rows, columns) = hankel_shape(sequence.len());
     if rows == 0 {
         return 0.0;
