@@ -131,10 +131,12 @@ fn chosen_parts(only: Option<&str>) -> Result<Vec<(&'static str, Build)>, TaskEr
 
 fn compose(parts: &[Part]) -> Result<Document, TaskError> {
     let mut document = Document::new("Reproduction of the paper").with(Block::paragraph(
-        "Every number and figure of *Reconstruction of Aircraft Lateral Dynamics Using Two Transmissibility Operators*, computed anew by \
-         `cargo xtask reproduce` and held against the print. A *match* agrees with all printed digits and with an independent \
-         reference value; an *erratum* agrees with the reference value, and the print is listed in errata.md.",
+        "Every number and figure of **Reconstruction of Aircraft Lateral Dynamics Using Two Transmissibility Operators**, computed anew by \
+         `cargo xtask reproduce` and held against the print. A **match** agrees with all printed digits and with an independent \
+         reference value; an **erratum** agrees with the reference value, and the print is listed in errata.md.",
     ));
+    let checks: Vec<_> = parts.iter().flat_map(|part| &part.checks).collect();
+    document.push(Block::note(counts(&checks)));
     for part in parts {
         document.push(Block::section(part.title));
         document.push(Block::paragraph(part.introduction));
@@ -164,13 +166,17 @@ fn check_table(checks: &[Check]) -> Result<Table, TaskError> {
 }
 
 fn summary(checks: &[&Check]) -> String {
-    let count = |verdict| checks.iter().filter(|check| check.verdict == verdict).count();
     let mut text = String::new();
     for check in checks {
         text += &format!("{:8} {:28} {}\n", check.verdict.word(), check.id, check.shown.computed);
     }
-    text + &format!(
-        "{} checks: {} match, {} errata, {} differ\n",
+    text + &counts(checks) + "\n"
+}
+
+fn counts(checks: &[&Check]) -> String {
+    let count = |verdict| checks.iter().filter(|check| check.verdict == verdict).count();
+    format!(
+        "{} checks: {} match, {} are errata of the print, {} differ.",
         checks.len(),
         count(Verdict::Match),
         count(Verdict::Erratum),

@@ -49,3 +49,8 @@ pub use identification::{Identification, IdentificationOptions, identify};
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
+
+/// The README's example compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

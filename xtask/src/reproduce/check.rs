@@ -172,23 +172,28 @@ impl Check {
     ) -> Self {
         let upper: Vec<Complex<f64>> =
             computed.iter().copied().filter(|root| root.im >= 0.0).collect();
+        // Each printed root beside the computed one nearest to it; what is left over has no print.
         let mut left = upper.clone();
-        let agrees = paper.len() == left.len()
-            && paper.iter().all(|(re, im)| {
-                let found = left.iter().position(|root| {
+        let partners: Vec<_> =
+            paper.iter().map(|printed| take_nearest(&mut left, printed)).collect();
+        let agrees = left.is_empty()
+            && paper.iter().zip(&partners).all(|((re, im), partner)| {
+                partner.is_some_and(|root| {
                     agrees_with_print(re, root.re) && agrees_with_print(im, root.im)
-                });
-                found.map(|index| left.swap_remove(index)).is_some()
+                })
             });
         let error = multiset_distance(computed, reference);
-        let digits = paper.iter().map(|(re, im)| decimals(re).max(decimals(im))).max().unwrap_or(6);
         let pairs =
             |values: &[Complex<f64>]| values.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>();
         let shown_paper = paper.iter().map(|(re, im)| complex_text(re, im)).collect::<Vec<_>>();
-        let shown_computed = upper
-            .iter()
-            .map(|z| complex_text(&fixed(z.re, digits), &fixed(z.im, digits)))
-            .collect::<Vec<_>>();
+        let as_printed = paper.iter().zip(&partners).filter_map(|((re, im), partner)| {
+            partner.map(|root| {
+                complex_text(&fixed(root.re, decimals(re)), &fixed(root.im, decimals(im)))
+            })
+        });
+        let unprinted =
+            left.iter().map(|root| complex_text(&fixed(root.re, 6), &fixed(root.im, 6)));
+        let shown_computed: Vec<_> = as_printed.chain(unprinted).collect();
         Self {
             id,
             paper: json!(shown_paper),
@@ -201,6 +206,15 @@ impl Check {
             shown: Shown { paper: shown_paper.join(", "), computed: shown_computed.join(", ") },
         }
     }
+}
+
+/// Takes the root nearest to the printed one out of the list.
+fn take_nearest(roots: &mut Vec<Complex<f64>>, (re, im): &(&str, &str)) -> Option<Complex<f64>> {
+    let printed = Complex::new(re.parse().ok()?, im.parse().ok()?);
+    let distance = |root: &Complex<f64>| (root - printed).norm();
+    let nearest =
+        (0..roots.len()).min_by(|&a, &b| distance(&roots[a]).total_cmp(&distance(&roots[b])))?;
+    Some(roots.swap_remove(nearest))
 }
 
 fn verdict(error: f64, tolerance: f64, agrees_with_print: bool, print: Print) -> Verdict {
