@@ -1,4 +1,5 @@
 //! What only the whole workspace can show: the program on files, and the layering of the crates.
+#![expect(clippy::unwrap_used, reason = "a test that unwraps an error has failed")]
 
 mod bad_input;
 mod identify;

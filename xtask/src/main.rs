@@ -1,5 +1,4 @@
 //! The project's own tasks: reproduce the paper, keep the tree tidy.
-#![cfg_attr(test, expect(clippy::unwrap_used, reason = "a test that unwraps an error has failed"))]
 
 mod error;
 mod reproduce;

@@ -88,6 +88,7 @@ impl<T: Ring> TransmissibilityPair<T> {
 
     /// The 2 x 2 matrix Delta(p) = [Gamma_i1, Gamma_i2; Gamma_o1, Gamma_o2]: one column per excitation. paper eq. (16)
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "four entries always make a 2 x 2 matrix")]
     pub fn delta(&self) -> PolyMatrix<T> {
         let columns = [&self.first, &self.second];
         let entries = columns
@@ -105,11 +106,16 @@ impl<T: Ring> TransmissibilityPair<T> {
     }
 
     /// The difference T_1 - T_2 over the product of the denominators, nothing cancelled. Its numerator is -det Delta.
-    #[must_use]
-    pub fn difference(&self) -> Rational<T> {
+    ///
+    /// # Errors
+    ///
+    /// [`ReconstructError::Step`] where the product of the denominators vanishes, as coefficients below 1e-160 can make it over `f64`.
+    pub fn difference(&self) -> Result<Rational<T>, ReconstructError> {
         let ([i1, i2], _) = self.numerators();
-        Rational::new(-self.determinant(), i1 * i2)
-            .expect("a transmissibility has a nonzero denominator")
+        Rational::new(-self.determinant(), i1 * i2).map_err(|error| ReconstructError::Step {
+            step: "difference of two transmissibilities",
+            message: error.to_string(),
+        })
     }
 
     /// Decides which statement of Theorem 3.1 holds for a system of order n, by exact comparison with zero.

@@ -160,7 +160,9 @@ fn difference(
         Transmissibility::from_polynomials(gamma(output), gamma(0))
             .map_err(TaskError::computation(PART))
     };
-    Ok(TransmissibilityPair::new(transmissibility(0)?, transmissibility(1)?).difference())
+    TransmissibilityPair::new(transmissibility(0)?, transmissibility(1)?)
+        .difference()
+        .map_err(TaskError::computation(PART))
 }
 
 fn difference_checks(

@@ -149,7 +149,7 @@ fn refuses_what_cannot_work() {
         assert!(message.contains(expected), "{message}");
     };
     check(&[], "0 record(s), but 2 are needed");
-    check(&[aileron.clone()], "1 record(s), but 2 are needed");
+    check(std::slice::from_ref(&aileron), "1 record(s), but 2 are needed");
     let two_sensors = |record: &Record| {
         Record::new("two", record.period(), record.channels()[..2].to_vec()).unwrap()
     };

@@ -22,7 +22,7 @@ fn the_determinant_is_exact_over_the_integers() {
     let determinant = p(&[1, 3, -22, 39, -21]);
     assert_eq!(example().determinant(), determinant);
     assert_eq!(example().delta().determinant().unwrap(), determinant);
-    assert_eq!(*example().difference().numerator(), -determinant);
+    assert_eq!(*example().difference().unwrap().numerator(), -determinant);
     let theorem = example().theorem(3).unwrap();
     assert_eq!(theorem.statement, Statement::DegreeAtLeastOrder { degree: 4, order: 3 });
 }
