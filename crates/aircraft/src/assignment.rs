@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use crate::naming::{ModeName, WhyUnnamed};
+use crate::mode_name::{ModeName, WhyUnnamed};
 use crate::shape::Character;
 
 use ModeName::{CoupledRollSpiral, DutchRoll, DutchRollRealRoot, RollSubsidence, Spiral, Unnamed};

@@ -35,14 +35,13 @@ pub mod catalog;
 mod derivatives;
 mod error;
 mod lateral;
+mod mode_name;
 mod naming;
 mod shape;
 
 pub use derivatives::{Inertia, LateralDerivatives};
 pub use error::AircraftError;
 pub use lateral::{LateralModel, LateralState, SideForceScaling, Surface};
-pub use naming::{
-    Eigenpair, Evidence, ModeName, NamedMode, WhyUnnamed, name_eigenvalues, name_modes,
-    name_system_modes,
-};
+pub use mode_name::{ModeName, WhyUnnamed};
+pub use naming::{Eigenpair, Evidence, NamedMode, name_eigenvalues, name_modes, name_system_modes};
 pub use shape::ModeShape;

@@ -1,5 +1,5 @@
 use super::{COMPLETE_SETS, by_shape, permutations};
-use crate::naming::ModeName;
+use crate::mode_name::ModeName;
 use crate::shape::Character;
 
 use ModeName::{CoupledRollSpiral, DutchRoll, DutchRollRealRoot, RollSubsidence, Spiral};

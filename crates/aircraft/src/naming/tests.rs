@@ -3,13 +3,10 @@ use nalgebra::DMatrix;
 use num_complex::Complex;
 use proptest::prelude::*;
 
-use super::{
-    Eigenpair, Evidence, ModeName, NamedMode, WhyUnnamed, name_eigenvalues, name_modes,
-    name_system_modes,
-};
+use super::{Eigenpair, Evidence, NamedMode, name_eigenvalues, name_modes, name_system_modes};
 use crate::{
-    AircraftError, Inertia, LateralDerivatives, LateralModel, LateralState, ModeShape,
-    SideForceScaling, Surface, catalog,
+    AircraftError, Inertia, LateralDerivatives, LateralModel, LateralState, ModeName, ModeShape,
+    SideForceScaling, Surface, WhyUnnamed, catalog,
 };
 
 use ModeName::{CoupledRollSpiral, DutchRoll, DutchRollRealRoot, RollSubsidence, Spiral, Unnamed};
