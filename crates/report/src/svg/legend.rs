@@ -3,8 +3,7 @@
 use super::frame::Pixel;
 use super::grid::{LABEL_PX, LINE_PX};
 use super::ink::GREY;
-use super::marks;
-use super::panel::{BAND_OPACITY, LINE_RADIUS_PX, STEM_RADIUS_PX, size};
+use super::marks::{self, BAND_OPACITY, LINE_RADIUS_PX, STEM_RADIUS_PX, size};
 use crate::figure::{Figure, Guide, Legend};
 use crate::font;
 use crate::series::{Dash, Fill, Marker, Series};

@@ -1,10 +1,16 @@
-//! Markers, lines and words as primitives of the plotting library.
+//! Markers, lines and words as primitives of the plotting library, and the sizes that all who draw or avoid them share.
 
 use super::frame::Pixel;
-use crate::series::{Dash, Fill, Marker};
+use crate::series::{Dash, Ellipse, Fill, Marker};
 use kuva::render::render::{PathData, Primitive, TextAnchor};
 use std::fmt::Write;
 
+/// Half the width of the marker on a stem.
+pub(super) const STEM_RADIUS_PX: f64 = 2.8;
+/// Half the width of a marker on a line.
+pub(super) const LINE_RADIUS_PX: f64 = 3.2;
+/// How much of a band's colour is seen.
+pub(super) const BAND_OPACITY: f64 = 0.25;
 /// Width of the outline of a marker.
 const OUTLINE_PX: f64 = 1.5;
 
@@ -65,6 +71,22 @@ pub(super) fn line(points: &[Pixel], colour: &str, width_px: f64, dash: Dash) ->
 /// A closed area without outline.
 pub(super) fn area(corners: &[Pixel], colour: &str, opacity: f64) -> Primitive {
     path(format!("{}Z", moves(corners)), colour, "none", 0.0, None, Some(opacity))
+}
+
+/// 145 points around an ellipse, the first repeated at the end.
+pub(super) fn outline(ellipse: &Ellipse) -> impl Iterator<Item = (f64, f64)> + use<> {
+    let Ellipse { center, semi_axes, angle_rad } = *ellipse;
+    let (sin, cos) = angle_rad.sin_cos();
+    (0..=144_u8).map(move |i| {
+        let (v, u) = (f64::from(i) / 144.0 * std::f64::consts::TAU).sin_cos();
+        let (u, v) = (u * semi_axes.0, v * semi_axes.1);
+        (center.0 + u * cos - v * sin, center.1 + u * sin + v * cos)
+    })
+}
+
+/// A size that can be drawn, whatever was asked for.
+pub(super) fn size(asked_px: f64, least: f64, most: f64) -> f64 {
+    if asked_px.is_nan() { least } else { asked_px.clamp(least, most) }
 }
 
 /// A line of text on a baseline.

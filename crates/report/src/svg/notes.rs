@@ -2,8 +2,7 @@
 
 use super::frame::Pixel;
 use super::grid::Cell;
-use super::marks;
-use super::panel::{LINE_RADIUS_PX, STEM_RADIUS_PX, outline};
+use super::marks::{self, LINE_RADIUS_PX, STEM_RADIUS_PX, outline};
 use super::scale::TICK_PX;
 use crate::figure::Guide;
 use crate::font;

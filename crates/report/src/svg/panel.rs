@@ -2,22 +2,16 @@
 
 use super::grid::{Cell, LABEL_PX, LINE_PX, TICK_LENGTH_PX, TITLE_PX};
 use super::ink::{BLACK, GREY, GRID};
+use super::marks::{BAND_OPACITY, LINE_RADIUS_PX, STEM_RADIUS_PX, outline, size};
 use super::scale::{TICK_PX, Ticks, View};
 use super::{marks, notes};
 use crate::figure::{Guide, Scale};
-use crate::series::{Dash, Ellipse, Fill, Series};
+use crate::series::{Dash, Fill, Series};
 use kuva::render::axis::add_axes_and_grid;
 use kuva::render::layout::{AxisLine, ComputedLayout, Layout, TickFormat};
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use kuva::render::theme::Theme;
 use std::sync::Arc;
-
-/// Half the width of the marker on a stem.
-pub(super) const STEM_RADIUS_PX: f64 = 2.8;
-/// Half the width of a marker on a line.
-pub(super) const LINE_RADIUS_PX: f64 = 3.2;
-/// How much of a band's colour is seen.
-pub(super) const BAND_OPACITY: f64 = 0.25;
 
 /// Draws a cell at its place; `clip_id` names its plot area.
 pub(super) fn draw(scene: &mut Scene, cell: &Cell<'_>, colours: &[&'static str], clip_id: &str) {
@@ -195,22 +189,6 @@ fn draw_series(scene: &mut Scene, cell: &Cell<'_>, series: &Series, colour: &str
         }
         Series::Notes(s) => notes::draw(scene, cell, s),
     }
-}
-
-/// A size that can be drawn, whatever was asked for.
-pub(super) fn size(asked_px: f64, least: f64, most: f64) -> f64 {
-    if asked_px.is_nan() { least } else { asked_px.clamp(least, most) }
-}
-
-/// 145 points around an ellipse, the first repeated at the end.
-pub(super) fn outline(ellipse: &Ellipse) -> impl Iterator<Item = (f64, f64)> + use<> {
-    let Ellipse { center, semi_axes, angle_rad } = *ellipse;
-    let (sin, cos) = angle_rad.sin_cos();
-    (0..=144_u8).map(move |i| {
-        let (v, u) = (f64::from(i) / 144.0 * std::f64::consts::TAU).sin_cos();
-        let (u, v) = (u * semi_axes.0, v * semi_axes.1);
-        (center.0 + u * cos - v * sin, center.1 + u * sin + v * cos)
-    })
 }
 
 fn labels(scene: &mut Scene, cell: &Cell<'_>) {
