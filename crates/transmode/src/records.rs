@@ -1,6 +1,7 @@
 //! Files -> records.
 
 mod csv;
+mod lines;
 mod sampling;
 
 use std::fs::File;
@@ -50,7 +51,11 @@ pub(crate) fn load(file: &Path, selection: &Selection) -> Result<Record, Command
     record(file, columns, selection)
 }
 
-fn record(file: &Path, columns: Columns, selection: &Selection) -> Result<Record, CommandError> {
+fn record<R>(
+    file: &Path,
+    columns: Columns<R>,
+    selection: &Selection,
+) -> Result<Record, CommandError> {
     let time = time_column(file, &columns, selection)?;
     let period = sample_period(file, &columns, time)?;
     let wanted = if selection.outputs.is_empty() {
@@ -77,9 +82,9 @@ fn record(file: &Path, columns: Columns, selection: &Selection) -> Result<Record
         .map_err(|error| CommandError::Reconstruct(error.to_string()))
 }
 
-fn time_column(
+fn time_column<R>(
     file: &Path,
-    columns: &Columns,
+    columns: &Columns<R>,
     selection: &Selection,
 ) -> Result<usize, CommandError> {
     if let Some(name) = &selection.time {
@@ -93,23 +98,23 @@ fn time_column(
     })
 }
 
-fn sample_period(
+fn sample_period<R>(
     file: &Path,
-    columns: &Columns,
+    columns: &Columns<R>,
     time: usize,
 ) -> Result<SamplePeriod, CommandError> {
     let file = file.to_owned();
     match sampling(&columns.values[time]) {
         None => Err(CommandError::TooShort { file, found: columns.rows() }),
         Some(Sampling::Uneven { index, step_s, period_s }) => {
-            Err(CommandError::Uneven { file, line: columns.lines[index], step_s, period_s })
+            Err(CommandError::Uneven { file, line: columns.line(index), step_s, period_s })
         }
         Some(Sampling::Even { period_s }) => SamplePeriod::new(period_s)
             .map_err(|error| CommandError::Reconstruct(error.to_string())),
     }
 }
 
-fn no_such_column(file: &Path, columns: &Columns, name: &str) -> CommandError {
+fn no_such_column<R>(file: &Path, columns: &Columns<R>, name: &str) -> CommandError {
     CommandError::NoSuchColumn {
         file: file.to_owned(),
         column: name.to_owned(),

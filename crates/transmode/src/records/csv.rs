@@ -3,21 +3,27 @@
 use std::io::Read;
 use std::path::Path;
 
+use super::lines::CountedLines;
 use crate::CommandError;
 
 /// The columns of a file, all of the same length.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Columns {
+#[derive(Debug)]
+pub(crate) struct Columns<R> {
     pub(crate) names: Vec<String>,
     /// `values[c][row]`, finite.
     pub(crate) values: Vec<Vec<f64>>,
-    /// Line of the file, from 1, on which each row stands.
-    pub(crate) lines: Vec<u64>,
+    source: CountedLines<R>,
 }
 
-impl Columns {
+impl<R> Columns<R> {
     pub(crate) fn rows(&self) -> usize {
-        self.lines.len()
+        self.values.first().map_or(0, Vec::len)
+    }
+
+    /// The line of the file, from 1, on which row `row` stands.
+    pub(crate) fn line(&self, row: usize) -> u64 {
+        // The header is the first line with content.
+        self.source.line(row as u64 + 1)
     }
 
     pub(crate) fn position(&self, name: &str) -> Option<usize> {
@@ -26,35 +32,34 @@ impl Columns {
 }
 
 /// Reads a whole file. `file` is for messages only.
-pub(crate) fn read(file: &Path, source: impl Read) -> Result<Columns, CommandError> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(source);
-    let names: Vec<String> = reader
-        .headers()
-        .map_err(|error| translate(file, error))?
-        .iter()
-        .map(str::to_owned)
-        .collect();
+pub(crate) fn read<R: Read>(file: &Path, source: R) -> Result<Columns<R>, CommandError> {
+    let mut reader =
+        ::csv::ReaderBuilder::new().trim(::csv::Trim::All).from_reader(CountedLines::new(source));
+    let header = reader.headers().map(|header| header.iter().map(str::to_owned).collect());
+    let names: Vec<String> = header.map_err(|error| translate(file, error, reader.get_ref()))?;
     check_header(file, &names)?;
     let mut values = vec![Vec::new(); names.len()];
-    let mut lines = Vec::new();
-    let mut row = csv::StringRecord::new();
-    while reader.read_record(&mut row).map_err(|error| translate(file, error))? {
-        let line = row.position().map_or(0, csv::Position::line);
+    let mut row = ::csv::StringRecord::new();
+    while reader.read_record(&mut row).map_err(|error| translate(file, error, reader.get_ref()))? {
         for ((text, name), column) in row.iter().zip(&names).zip(&mut values) {
             let number = text.parse().ok().filter(|number: &f64| number.is_finite());
             column.push(number.ok_or_else(|| CommandError::NotANumber {
                 file: file.to_owned(),
-                line,
+                line: place(row.position(), reader.get_ref()),
                 column: name.clone(),
                 text: shortened(text),
             })?);
         }
-        lines.push(line);
     }
-    if lines.is_empty() {
+    if values[0].is_empty() {
         return Err(CommandError::Empty { file: file.to_owned() });
     }
-    Ok(Columns { names, values, lines })
+    Ok(Columns { names, values, source: reader.into_inner() })
+}
+
+/// The line of a record. The CSV reader's own count of lines is off after blank ones and where lines end with two characters.
+fn place<R>(position: Option<&::csv::Position>, source: &CountedLines<R>) -> u64 {
+    source.line(position.map_or(0, ::csv::Position::record))
 }
 
 fn check_header(file: &Path, names: &[String]) -> Result<(), CommandError> {
@@ -75,15 +80,15 @@ fn check_header(file: &Path, names: &[String]) -> Result<(), CommandError> {
     Ok(())
 }
 
-fn translate(file: &Path, error: csv::Error) -> CommandError {
+fn translate<R>(file: &Path, error: ::csv::Error, source: &CountedLines<R>) -> CommandError {
     let file = file.to_owned();
-    let line = error.position().map_or(1, csv::Position::line);
+    let line = place(error.position(), source);
     match error.into_kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+        ::csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             CommandError::Ragged { file, line, found: len, expected: expected_len }
         }
-        csv::ErrorKind::Utf8 { .. } => CommandError::NotText { file, line },
-        csv::ErrorKind::Io(source) => CommandError::Read { file, source },
+        ::csv::ErrorKind::Utf8 { .. } => CommandError::NotText { file, line },
+        ::csv::ErrorKind::Io(source) => CommandError::Read { file, source },
         other => CommandError::Read { file, source: std::io::Error::other(format!("{other:?}")) },
     }
 }

@@ -1,6 +1,6 @@
 use super::*;
 
-fn parse(text: impl AsRef<[u8]>) -> Result<Columns, CommandError> {
+fn parse(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<Columns<&[u8]>, CommandError> {
     read(Path::new("f.csv"), text.as_ref())
 }
 
@@ -10,7 +10,7 @@ fn reads_columns_and_remembers_lines() {
     assert_eq!(columns.names, ["time", "beta"]);
     assert_eq!(columns.values, [vec![0.0, 0.1], vec![1e-3, -2.0]]);
     // The blank line is skipped, but counted.
-    assert_eq!(columns.lines, [2, 4]);
+    assert_eq!([columns.line(0), columns.line(1)], [2, 4]);
 }
 
 #[test]
@@ -49,7 +49,23 @@ fn says_what_is_wrong_and_where() {
 
 #[test]
 fn a_long_field_is_shortened_in_the_message() {
-    let message = parse(format!("time,beta\n0,{}\n", "x".repeat(1000))).unwrap_err().to_string();
+    let message = parse(&format!("time,beta\n0,{}\n", "x".repeat(1000))).unwrap_err().to_string();
     assert!(message.contains("xxx...\""), "{message}");
     assert!(message.len() < 150, "{message}");
+}
+
+#[test]
+fn lines_are_those_that_an_editor_shows() {
+    for end in ["\n", "\r\n", "\r"] {
+        let text = format!("{end}{end}time,beta{end}0,1{end}{end}{end}0.1,2{end}0.2,x{end}");
+        let message = parse(&text).unwrap_err().to_string();
+        assert!(message.starts_with("f.csv, line 8, column \"beta\""), "{message}");
+        let message = parse(&text.replace(",x", "")).unwrap_err().to_string();
+        assert!(message.starts_with("f.csv, line 8: 1 fields"), "{message}");
+        let repaired = text.replace("0.2,x", "0.2,1");
+        let columns = parse(&repaired).unwrap();
+        assert_eq!([0, 1, 2].map(|row| columns.line(row)), [4, 7, 8]);
+    }
+    // Without an end of the last line.
+    assert!(parse("t,b\r\n0,1\r\n0,x").unwrap_err().to_string().contains("line 3"));
 }
