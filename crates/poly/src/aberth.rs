@@ -10,7 +10,6 @@
 mod tests;
 
 use crate::PolyError;
-use crate::doubled::DoubledComplex;
 use crate::newton_polygon::NewtonPolygon;
 use crate::poly::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
 use num_complex::Complex;
@@ -173,7 +172,7 @@ impl ScaledPoly {
                 }
             }
             Precision::Doubled => {
-                let (value, derivative) = horner_doubled(coefficients, DoubledComplex::new(y));
+                let (value, derivative) = horner_doubled(coefficients, y.into());
                 let bound = doubled_bound(coefficients, y.norm());
                 ScaledValue { value: value.value(), derivative: derivative.value(), bound, terms }
             }

@@ -38,7 +38,6 @@
 mod aberth;
 mod berkowitz;
 mod cancellation;
-mod doubled;
 mod error;
 mod evaluation;
 mod least_squares;

@@ -7,9 +7,9 @@
 //! each of them, taken as simple, is hopeless. Residuals and roots are kept in doubled precision.
 
 use crate::aberth::{ScaledPoly, scale_by_power};
-use crate::doubled::DoubledComplex;
 use crate::least_squares::Factored;
 use crate::leja::leja_order;
+use doubled::DoubleDoubleComplex;
 use num_complex::Complex;
 
 type C = Complex<f64>;
@@ -25,7 +25,7 @@ const NEGLIGIBLE_STEP: f64 = 1e-24;
 const SMALLEST_HULL: f64 = -850.0;
 
 /// A root in doubled precision and its multiplicity.
-type Unknown = (DoubledComplex, usize);
+type Unknown = (DoubleDoubleComplex, usize);
 
 /// A root and its multiplicity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,12 +96,12 @@ impl Target {
     }
 
     /// `(q_k - p_k) / h_k` for `q = factor * product`.
-    fn residual(&self, product: &[DoubledComplex], factor: DoubledComplex) -> Vec<C> {
+    fn residual(&self, product: &[DoubleDoubleComplex], factor: DoubleDoubleComplex) -> Vec<C> {
         product
             .iter()
             .zip(&self.coefficients)
             .zip(&self.hull)
-            .map(|((&q, &p), &h)| factor.mul(q).sub(DoubledComplex::new(p)).value() / h)
+            .map(|((&q, &p), &h)| (factor * q - p.into()).value() / h)
             // Conjugate factors leave imaginary parts of rounding size only.
             .map(|r| if self.real { C::new(r.re, 0.0) } else { r })
             .collect()
@@ -113,12 +113,11 @@ impl Target {
             .iter()
             .map(|root| {
                 let value = scale_by_power(root.value, -self.exponent);
-                (DoubledComplex::new(value), root.multiplicity)
+                (value.into(), root.multiplicity)
             })
             .collect();
         let leading = self.coefficients.last().copied().unwrap_or_default();
-        let residual =
-            self.residual(&expand(&in_leja_order(&values)), DoubledComplex::new(leading));
+        let residual = self.residual(&expand(&in_leja_order(&values)), leading.into());
         residual.iter().map(|r| r.norm()).fold(0.0, f64::max)
     }
 
@@ -134,12 +133,10 @@ impl Target {
         let mut unknowns: Vec<Unknown> = start
             .iter()
             .filter(|root| !self.real || root.value.im >= 0.0)
-            .map(|root| {
-                (DoubledComplex::new(scale_by_power(root.value, -self.exponent)), root.multiplicity)
-            })
+            .map(|root| (scale_by_power(root.value, -self.exponent).into(), root.multiplicity))
             .collect();
-        let mut factor = DoubledComplex::new(self.coefficients.last().copied()?);
-        let mut best: Option<(f64, Vec<Unknown>, DoubledComplex)> = None;
+        let mut factor = DoubleDoubleComplex::from(self.coefficients.last().copied()?);
+        let mut best: Option<(f64, Vec<Unknown>, DoubleDoubleComplex)> = None;
         let mut failures = 0;
         let mut steps = 0;
         while steps < MAXIMUM_STEPS {
@@ -168,9 +165,9 @@ impl Target {
             // A root may not move by more than half its modulus at once.
             let damping = if largest > 0.5 { 0.5 / largest } else { 1.0 };
             for ((value, _), step) in unknowns.iter_mut().zip(&relative[1..]) {
-                *value = value.sub(value.mul(DoubledComplex::new(step * damping)));
+                *value -= *value * (step * damping).into();
             }
-            factor = factor.sub(factor.mul(DoubledComplex::new(relative[0] * damping)));
+            factor -= factor * (relative[0] * damping).into();
             if largest <= NEGLIGIBLE_STEP {
                 break;
             }
@@ -197,7 +194,7 @@ impl Target {
 
     /// Columns of the Jacobian with respect to the relative change of the factor and of each root, divided by the hull.
     /// For real coefficients a root that is not real has two columns: real and imaginary part of its change.
-    fn jacobian(&self, unknowns: &[Unknown], factor: DoubledComplex) -> Vec<Vec<C>> {
+    fn jacobian(&self, unknowns: &[Unknown], factor: DoubleDoubleComplex) -> Vec<Vec<C>> {
         let all: Vec<(C, usize)> =
             self.with_conjugates(unknowns).iter().map(|(z, m)| (z.value(), *m)).collect();
         let common = product(
@@ -256,7 +253,12 @@ impl Target {
         corrections
     }
 
-    fn describe(&self, unknowns: &[Unknown], factor: DoubledComplex, steps: usize) -> Option<Fit> {
+    fn describe(
+        &self,
+        unknowns: &[Unknown],
+        factor: DoubleDoubleComplex,
+        steps: usize,
+    ) -> Option<Fit> {
         let residual = self.residual(&expand(&self.with_conjugates(unknowns)), factor);
         let largest_error = residual.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let factored = Factored::new(self.jacobian(unknowns, factor))?;
@@ -289,17 +291,16 @@ fn in_leja_order(roots: &[Unknown]) -> Vec<Unknown> {
 }
 
 /// Ascending coefficients of the monic product in doubled precision; each round takes every root that is left once.
-fn expand(roots: &[Unknown]) -> Vec<DoubledComplex> {
-    let one = DoubledComplex::new(C::new(1.0, 0.0));
-    let mut coefficients = vec![one];
+fn expand(roots: &[Unknown]) -> Vec<DoubleDoubleComplex> {
+    let mut coefficients = vec![DoubleDoubleComplex::ONE];
     let rounds = roots.iter().map(|&(_, multiplicity)| multiplicity).max().unwrap_or(0);
     for round in 0..rounds {
         for &(root, _) in roots.iter().filter(|(_, multiplicity)| *multiplicity > round) {
-            coefficients.push(one);
+            coefficients.push(DoubleDoubleComplex::ONE);
             for k in (1..coefficients.len() - 1).rev() {
-                coefficients[k] = coefficients[k - 1].sub(root.mul(coefficients[k]));
+                coefficients[k] = coefficients[k - 1] - root * coefficients[k];
             }
-            coefficients[0] = DoubledComplex::ZERO.sub(root.mul(coefficients[0]));
+            coefficients[0] = -(root * coefficients[0]);
         }
     }
     coefficients

@@ -1,8 +1,8 @@
 //! What only floating-point polynomials have: error bounds, complex arguments, roots rounded once.
 
-use crate::doubled::{Doubled, DoubledComplex};
 use crate::leja::leja_order;
 use crate::{Evaluation, Poly, PolyError};
+use doubled::{DoubleDouble, DoubleDoubleComplex};
 use num_complex::Complex;
 
 /// Half the distance from 1 to the next float: the relative error of one operation.
@@ -44,13 +44,13 @@ pub(crate) fn absolute_sum(coefficients: &[Complex<f64>], modulus: f64) -> f64 {
 /// Horner's rule in doubled precision: value and derivative.
 pub(crate) fn horner_doubled(
     coefficients: &[Complex<f64>],
-    x: DoubledComplex,
-) -> (DoubledComplex, DoubledComplex) {
-    let mut value = DoubledComplex::ZERO;
-    let mut derivative = DoubledComplex::ZERO;
+    x: DoubleDoubleComplex,
+) -> (DoubleDoubleComplex, DoubleDoubleComplex) {
+    let mut value = DoubleDoubleComplex::ZERO;
+    let mut derivative = DoubleDoubleComplex::ZERO;
     for &c in coefficients.iter().rev() {
-        derivative = derivative.mul(x).add(value);
-        value = value.mul(x).add(DoubledComplex::new(c));
+        derivative = derivative * x + value;
+        value = value * x + c.into();
     }
     (value, derivative)
 }
@@ -118,11 +118,11 @@ impl Poly<f64> {
     /// assert!((near.value / 2f64.powi(-70) - 1.0).abs() < 1e-7);
     /// ```
     pub fn eval_compensated(&self, x: f64) -> Evaluation<f64> {
-        let argument = Doubled::new(x);
-        let mut value = Doubled::ZERO;
+        let argument = DoubleDouble::from(x);
+        let mut value = DoubleDouble::ZERO;
         let mut sum = 0.0;
         for &c in self.coefficients.iter().rev() {
-            value = value.mul(argument).add(Doubled::new(c));
+            value = value * argument + c.into();
             sum = sum * x.abs() + c.abs();
         }
         let value = value.value();
@@ -183,17 +183,17 @@ impl Poly<f64> {
         if let Some(&value) = unmatched.first() {
             return Err(PolyError::NotConjugateClosed { value });
         }
-        let mut product = vec![Doubled::new(1.0)];
+        let mut product = vec![DoubleDouble::ONE];
         for k in leja_order(&matched) {
-            let (re, im) = (Doubled::new(matched[k].re), Doubled::new(matched[k].im));
+            let (re, im) = (DoubleDouble::from(matched[k].re), DoubleDouble::from(matched[k].im));
             if matched[k].im == 0.0 {
-                multiply(&mut product, &[re.neg(), Doubled::new(1.0)]);
+                multiply(&mut product, &[-re, DoubleDouble::ONE]);
             } else {
-                let square = re.mul(re).add(im.mul(im));
-                multiply(&mut product, &[square, re.add(re).neg(), Doubled::new(1.0)]);
+                let square = re * re + im * im;
+                multiply(&mut product, &[square, -(re + re), DoubleDouble::ONE]);
             }
         }
-        let coefficients: Vec<f64> = product.into_iter().map(Doubled::value).collect();
+        let coefficients: Vec<f64> = product.into_iter().map(DoubleDouble::value).collect();
         match coefficients.iter().position(|c| !c.is_finite()) {
             Some(degree) => Err(PolyError::Overflow { degree }),
             None => Ok(Self::new(coefficients)),
@@ -206,11 +206,11 @@ fn keeps(modulus: f64, threshold: f64) -> bool {
     modulus.partial_cmp(&threshold).is_none_or(std::cmp::Ordering::is_gt)
 }
 
-fn multiply(product: &mut Vec<Doubled>, factor: &[Doubled]) {
-    let mut result = vec![Doubled::ZERO; product.len() + factor.len() - 1];
+fn multiply(product: &mut Vec<DoubleDouble>, factor: &[DoubleDouble]) {
+    let mut result = vec![DoubleDouble::ZERO; product.len() + factor.len() - 1];
     for (i, &a) in product.iter().enumerate() {
         for (k, &b) in factor.iter().enumerate() {
-            result[i + k] = result[i + k].add(a.mul(b));
+            result[i + k] += a * b;
         }
     }
     *product = result;
@@ -231,7 +231,7 @@ impl Poly<Complex<f64>> {
 
     /// The value at `x` as if computed with twice the precision and then rounded, with a bound on its error.
     pub fn eval_compensated(&self, x: Complex<f64>) -> Evaluation<Complex<f64>> {
-        let value = horner_doubled(&self.coefficients, DoubledComplex::new(x)).0.value();
+        let value = horner_doubled(&self.coefficients, x.into()).0.value();
         let tail = doubled_bound(&self.coefficients, x.norm());
         Evaluation { value, error_bound: UNIT_ROUNDOFF * value.norm() + tail }
     }
