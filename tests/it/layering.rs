@@ -7,7 +7,7 @@ use std::process::Command;
 const ALLOWED: [(&str, &[&str]); 11] = [
     ("doubled", &[]),
     ("poly", &["doubled"]),
-    ("lti", &["poly"]),
+    ("lti", &["doubled", "poly"]),
     ("era", &["lti", "poly"]),
     ("cfi-ident", &[]),
     ("aircraft", &["lti"]),

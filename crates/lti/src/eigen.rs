@@ -1,5 +1,6 @@
 //! Eigenvalues and both kinds of eigenvectors of a real matrix, refined and with their condition numbers.
 
+use doubled::DoubleDoubleComplex;
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
@@ -9,7 +10,7 @@ use num_complex::Complex;
 
 use crate::LtiError;
 use crate::dense::CVector;
-use crate::double_double::DoubleDouble;
+use crate::doubled_product::row_product;
 use crate::scaling::{Balanced, balance};
 
 /// One eigenvalue with its vectors: A v = lambda v, w^H A = lambda w^H, |v| = 1 and w^H v = 1.
@@ -129,20 +130,8 @@ fn raw_eigenpairs(a: &DMatrix<f64>) -> Result<Vec<(Complex<f64>, CVector, CVecto
 
 /// A v - lambda v, each component summed in double-double arithmetic and then rounded.
 fn residual(a: &DMatrix<f64>, value: Complex<f64>, right: &CVector) -> CVector {
-    let n = a.nrows();
-    CVector::from_fn(n, |i, _| {
-        let mut re = DoubleDouble::from(0.0);
-        let mut im = DoubleDouble::from(0.0);
-        for j in 0..n {
-            re = re + DoubleDouble::product(a[(i, j)], right[j].re);
-            im = im + DoubleDouble::product(a[(i, j)], right[j].im);
-        }
-        re = re - DoubleDouble::product(value.re, right[i].re)
-            + DoubleDouble::product(value.im, right[i].im);
-        im = im
-            - DoubleDouble::product(value.re, right[i].im)
-            - DoubleDouble::product(value.im, right[i].re);
-        Complex::new(re.value(), im.value())
+    CVector::from_fn(a.nrows(), |i, _| {
+        (row_product(a, i, right) - DoubleDoubleComplex::product(value, right[i])).value()
     })
 }
 

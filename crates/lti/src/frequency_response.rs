@@ -1,10 +1,11 @@
 //! The frequency response, from one Hessenberg reduction and one O(n^2) solve per frequency.
 
+use doubled::DoubleDoubleComplex;
 use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use crate::dense::CMatrix;
-use crate::double_double::DoubleDouble;
+use crate::doubled_product::row_product;
 use crate::scaling::balance_similarity;
 use crate::{LtiError, StateSpace, TimeDomain};
 
@@ -106,15 +107,9 @@ impl Plan {
         let correction = self.solve(point, &self.residual(point, &solution))?;
         let (p, m) = self.d.shape();
         let response = CMatrix::from_fn(p, m, |i, j| {
-            let mut re = DoubleDouble::from(self.d[(i, j)]);
-            let mut im = DoubleDouble::from(0.0);
-            for k in 0..self.a.nrows() {
-                for x in [solution[(k, j)], correction[(k, j)]] {
-                    re = re + DoubleDouble::product(self.c[(i, k)], x.re);
-                    im = im + DoubleDouble::product(self.c[(i, k)], x.im);
-                }
-            }
-            Complex::new(re.value(), im.value())
+            let state =
+                [&solution, &correction].map(|part| row_product(&self.c, i, part.column(j)));
+            (DoubleDoubleComplex::from(self.d[(i, j)]) + state[0] + state[1]).value()
         });
         response.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(response)
     }
@@ -133,16 +128,9 @@ impl Plan {
     fn residual(&self, point: Complex<f64>, solution: &CMatrix) -> CMatrix {
         let n = self.a.nrows();
         CMatrix::from_fn(n, solution.ncols(), |i, j| {
-            let x = solution[(i, j)];
-            let mut re = DoubleDouble::from(self.b[(i, j)]);
-            let mut im = DoubleDouble::from(0.0);
-            re = re - DoubleDouble::product(point.re, x.re) + DoubleDouble::product(point.im, x.im);
-            im = im - DoubleDouble::product(point.re, x.im) - DoubleDouble::product(point.im, x.re);
-            for k in 0..n {
-                re = re + DoubleDouble::product(self.a[(i, k)], solution[(k, j)].re);
-                im = im + DoubleDouble::product(self.a[(i, k)], solution[(k, j)].im);
-            }
-            Complex::new(re.value(), im.value())
+            let moved = row_product(&self.a, i, solution.column(j));
+            let kept = DoubleDoubleComplex::product(point, solution[(i, j)]);
+            (DoubleDoubleComplex::from(self.b[(i, j)]) - kept + moved).value()
         })
     }
 }

@@ -1,10 +1,10 @@
 //! Invariant zeros: where the Rosenbrock matrix loses rank.
 
-use nalgebra::DMatrix;
+use doubled::DoubleDoubleComplex;
 use num_complex::Complex;
 
 use crate::dense::{CMatrix, CVector, generalized_eigenpairs, singular_triple};
-use crate::double_double::DoubleDouble;
+use crate::doubled_product::row_product;
 use crate::eigen::compare;
 use crate::rosenbrock::{Reduced, Rosenbrock};
 use crate::{LtiError, StateSpace, TimeDomain};
@@ -186,22 +186,12 @@ impl Rosenbrock {
 
     /// P(x) v, each component summed in double-double arithmetic and then rounded.
     fn product(&self, x: Complex<f64>, v: &CVector) -> CVector {
-        let matrix: &DMatrix<f64> = &self.matrix;
-        CVector::from_fn(matrix.nrows(), |i, _| {
-            let mut re = DoubleDouble::from(0.0);
-            let mut im = DoubleDouble::from(0.0);
-            for j in 0..matrix.ncols() {
-                re = re + DoubleDouble::product(matrix[(i, j)], v[j].re);
-                im = im + DoubleDouble::product(matrix[(i, j)], v[j].im);
-            }
+        CVector::from_fn(self.matrix.nrows(), |i, _| {
+            let mut sum = row_product(&self.matrix, i, v);
             if i < self.states() {
-                re = re - DoubleDouble::product(x.re, v[i].re)
-                    + DoubleDouble::product(x.im, v[i].im);
-                im = im
-                    - DoubleDouble::product(x.re, v[i].im)
-                    - DoubleDouble::product(x.im, v[i].re);
+                sum -= DoubleDoubleComplex::product(x, v[i]);
             }
-            Complex::new(re.value(), im.value())
+            sum.value()
         })
     }
 }

@@ -56,7 +56,7 @@
 
 mod complex_schur;
 mod dense;
-mod double_double;
+mod doubled_product;
 mod eigen;
 mod error;
 mod excitation_pair;

@@ -1,9 +1,9 @@
 //! Transfer functions of `f64` systems: numerators and denominator correct to the last digits.
 
+use doubled::DoubleDouble;
 use nalgebra::DMatrix;
 use poly::{Poly, Rational};
 
-use crate::double_double::DoubleDouble;
 use crate::magnitude::Magnitude;
 use crate::resolvent::{ResolventNumerators, resolvent_numerators};
 use crate::scaling::{Balanced, balance};
@@ -105,7 +105,7 @@ impl<T: TimeDomain> StateSpace<T> {
         let mut delta = exact.delta.coefficients().to_vec();
         for (k, coefficient) in delta.iter_mut().enumerate() {
             if coefficient.value().abs() <= DOUBLED_ROUNDING * bound.delta.coefficient(k).0 {
-                *coefficient = DoubleDouble::from(0.0);
+                *coefficient = DoubleDouble::ZERO;
             }
         }
         let delta = unscaled(&delta, n, scale)?;
@@ -121,7 +121,7 @@ impl<T: TimeDomain> StateSpace<T> {
                 for (k, coefficient) in coefficients.iter_mut().enumerate() {
                     // What is left at the level of double-double rounding cancelled exactly.
                     if coefficient.value().abs() <= DOUBLED_ROUNDING * terms(k) {
-                        *coefficient = DoubleDouble::from(0.0);
+                        *coefficient = DoubleDouble::ZERO;
                     }
                 }
                 while coefficients

@@ -1,6 +1,6 @@
 //! Tests of `invariant_zeros.rs`.
 
-use nalgebra::dmatrix;
+use nalgebra::{DMatrix, dmatrix};
 
 use super::*;
 use crate::Continuous;
