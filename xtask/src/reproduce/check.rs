@@ -130,19 +130,9 @@ impl Check {
         tolerance: f64,
         note: &str,
     ) -> Self {
-        let error = largest(computed.iter().zip(reference).map(|(a, b)| (a - b).abs()))
-            + length_penalty(computed.len(), reference.len());
-        Self {
-            id,
-            paper: Value::Null,
-            computed: json!(computed),
-            reference: json!(reference),
-            error,
-            tolerance,
-            verdict: verdict(error, tolerance, true, Print::Right),
-            note: note.to_owned(),
-            shown: Shown { paper: "(not printed)".to_owned(), computed: entries(computed) },
-        }
+        let mut check = Self::numbers(id, Print::Right, &[], computed, reference, tolerance, note);
+        check.shown.computed = entries(computed);
+        check.without_print("(not printed)")
     }
 
     /// A check of a multiset of complex numbers that the paper does not print.
@@ -153,11 +143,8 @@ impl Check {
         tolerance: f64,
         note: &str,
     ) -> Self {
-        let mut check = Self::roots(id, Print::Right, &[], computed, reference, tolerance, note);
-        check.paper = Value::Null;
-        check.verdict = verdict(check.error, tolerance, true, Print::Right);
-        check.shown.paper = "(a figure)".to_owned();
-        check
+        let check = Self::roots(id, Print::Right, &[], computed, reference, tolerance, note);
+        check.without_print("(a figure)")
     }
 
     /// A check of a multiset of complex numbers. The print gives real and imaginary parts, conjugates once with a positive imaginary part.
@@ -205,6 +192,14 @@ impl Check {
             note: note.to_owned(),
             shown: Shown { paper: shown_paper.join(", "), computed: shown_computed.join(", ") },
         }
+    }
+
+    /// Judges by the reference alone.
+    fn without_print(mut self, instead: &str) -> Self {
+        self.paper = Value::Null;
+        self.verdict = verdict(self.error, self.tolerance, true, Print::Right);
+        instead.clone_into(&mut self.shown.paper);
+        self
     }
 }
 
