@@ -234,10 +234,31 @@ impl Ticks {
                 .map(|value| (value.log10(), linear.style.label(value)))
                 .collect();
         }
+        self.keep_what_has_room(view, length_px, direction);
         // The extra ticks take the place of the major ones.
         self.step = f64::INFINITY;
         self.widest_px =
             self.extra.iter().map(|(_, label)| font::width(label, TICK_PX)).fold(0.0, f64::max);
+    }
+
+    /// Drops each extra label that would touch the one kept before it.
+    fn keep_what_has_room(&mut self, view: View, length_px: f64, direction: Direction) {
+        let mut kept: Vec<(f64, String)> = Vec::new();
+        for (unit, label) in self.extra.drain(..) {
+            let has_room = kept.last().is_none_or(|(before, text)| {
+                let room = match direction {
+                    Direction::Horizontal => {
+                        0.5 * (font::width(text, TICK_PX) + font::width(&label, TICK_PX)) + 2.0
+                    }
+                    Direction::Vertical => f64::from(TICK_PX) + 1.0,
+                };
+                (unit - before) / view.span() * length_px >= room
+            });
+            if has_room {
+                kept.push((unit, label));
+            }
+        }
+        self.extra = kept;
     }
 
     fn major(view: View, step: f64, style: Style) -> Self {

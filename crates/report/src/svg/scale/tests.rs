@@ -64,6 +64,15 @@ fn a_view_has_a_margin_and_never_no_length() {
     assert!(view.shows(2.0) && view.shows(3.0) && !view.shows(1.999));
 }
 
+/// Labels between decades give way where a short axis has no room for all of them.
+#[test]
+fn labels_between_decades_are_thinned() {
+    let view = View { scale: Scale::Log10, low: -2.93, high: -1.07 };
+    let ticks = Ticks::new(view, 120.0, Direction::Horizontal);
+    let labels: Vec<&str> = ticks.extra.iter().map(|(_, label)| label.as_str()).collect();
+    assert_eq!(labels, ["0.002", "0.01", "0.05"]);
+}
+
 proptest! {
     /// Any axis has at least one and at most thirty labels, all different, in room that is theirs.
     #[test]
