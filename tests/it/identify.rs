@@ -31,7 +31,7 @@ fn names_the_modes_of_the_aircraft() {
     ] {
         assert!(ran.out.contains(text), "{text} is missing in\n{}", ran.out);
     }
-    assert!(ran.out.contains("4 shared zeros of 2 differences"), "{}", ran.out);
+    assert!(ran.out.contains("zeros: 4 shared by 2 differences"), "{}", ran.out);
 }
 
 #[test]

@@ -23,8 +23,14 @@ pub struct AsPrintedOptions {
     pub shared_tolerance: f64,
     /// A fit that leaves more than this part of the pseudo output unexplained raises [`Doubt::Noise`].
     ///
-    /// The default, 1e-8, is far above rounding errors, and where sensor noise begins to move the slow modes.
+    /// The default, 1e-12, is above what rounding leaves (2e-14 for the paper's aircraft); noise of 1e-11 already moves its spiral by 1 %.
     pub noise_level: f64,
+    /// Regressors with a larger condition number raise [`Doubt::IllConditioned`].
+    ///
+    /// The default is 1e9. The paper's fits have 2e6 at most; with 4e10 its spiral is off by 1 %.
+    pub largest_condition: f64,
+    /// Differences that disagree on an eigenvalue by more than this part of its modulus raise [`Doubt::Spread`]. The default is 1e-3.
+    pub largest_relative_spread: f64,
 }
 
 impl Default for AsPrintedOptions {
@@ -32,7 +38,9 @@ impl Default for AsPrintedOptions {
         Self {
             identification: IdentificationOptions::default(),
             shared_tolerance: 1e-5,
-            noise_level: 1e-8,
+            noise_level: 1e-12,
+            largest_condition: 1e9,
+            largest_relative_spread: 1e-3,
         }
     }
 }
@@ -70,10 +78,41 @@ pub enum Doubt {
         /// The level above which this is said.
         level: f64,
     },
-    /// A shared zero at 0 or beyond: it has no counterpart in continuous time and was left out of the eigenvalues.
-    NoContinuousCounterpart {
-        /// The zero.
-        zero: Complex<f64>,
+    /// The noise leaves nothing of a transmissibility: no coefficient stands above the uncertainty of the fit.
+    NothingAboveNoise {
+        /// The record.
+        record: String,
+        /// The pseudo output.
+        output: String,
+    },
+    /// The regressors do not determine all parameters of a model.
+    RankDeficient {
+        /// The record.
+        record: String,
+        /// The pseudo output.
+        output: String,
+        /// Rank found.
+        rank: usize,
+        /// Number of parameters.
+        parameters: usize,
+    },
+    /// The regressors determine some parameters so poorly that rounding errors move the slow modes.
+    IllConditioned {
+        /// The record.
+        record: String,
+        /// The pseudo output.
+        output: String,
+        /// Condition number of the regressors.
+        condition: f64,
+        /// The number above which this is said.
+        limit: f64,
+    },
+    /// The differences disagree on an eigenvalue.
+    Spread {
+        /// The eigenvalue in rad/s.
+        eigenvalue: Complex<f64>,
+        /// Largest distance of the differences' versions of it, over its modulus.
+        relative: f64,
     },
 }
 
@@ -89,12 +128,28 @@ impl std::fmt::Display for Doubt {
                 "record {record}, sensor {output}: the fit leaves {relative_residual:.1e} of the signal unexplained, more than \
                  {level:.0e}: with noise of that size the printed method misplaces or loses modes"
             ),
-            Self::NoContinuousCounterpart { zero } => {
-                write!(
-                    f,
-                    "the shared zero {zero:.4} has no counterpart in continuous time and was left out"
-                )
-            }
+            Self::NothingAboveNoise { record, output } => write!(
+                f,
+                "record {record}, sensor {output}: no part of the transmissibility stands above the noise of the fit"
+            ),
+            Self::RankDeficient { record, output, rank, parameters } => write!(
+                f,
+                "record {record}, sensor {output}: the data determine {rank} of the model's {parameters} parameters; \
+                 fewer poles in the IIR factor would do, or the excitation is poor"
+            ),
+            Self::IllConditioned { record, output, condition, limit } => write!(
+                f,
+                "record {record}, sensor {output}: the fit has condition number {condition:.0e}, above {limit:.0e}, so that rounding errors \
+                 move the slow modes; another pseudo input or a shorter FIR factor may help"
+            ),
+            Self::Spread { eigenvalue, relative } => write!(
+                f,
+                "the sensors disagree on the eigenvalue {:.4} {} j{:.4} by {:.1} % of its size",
+                eigenvalue.re,
+                if eigenvalue.im < 0.0 { '-' } else { '+' },
+                eigenvalue.im.abs(),
+                100.0 * relative
+            ),
         }
     }
 }
@@ -122,8 +177,11 @@ pub struct AsPrinted {
     pub differences: Vec<Difference>,
     /// The zeros that all differences share: the eigenvalues of the sampled system.
     pub shared: SharedZeros,
-    /// The eigenvalues of the system with their shapes, one for each shared zero that has a counterpart in continuous time, in their order.
+    /// The eigenvalues of the system with their shapes, one for each shared zero that is not [`blind`](AsPrinted::blind), in their order.
     pub modes: Vec<ReconstructedMode>,
+    /// Shared zeros that every transmissibility has as a pole: there the pseudo input reads nothing in any record, so the determinant vanishes
+    /// whether or not the system has an eigenvalue. They are no modes. The root of D at 0 is one where it does not cancel.
+    pub blind: Vec<Complex<f64>>,
     /// The sample period of the records.
     pub period: SamplePeriod,
     /// Why the result should not be trusted; empty if there is no such reason.
@@ -148,6 +206,7 @@ pub struct AsPrinted {
 /// b = (1, 1), the second through b = (1, 2).
 ///
 /// ```
+/// use cfi_ident::Orders;
 /// use lti::SamplePeriod;
 /// use reconstruct::{AsPrintedOptions, Channel, Record, as_printed};
 ///
@@ -167,7 +226,10 @@ pub struct AsPrinted {
 ///     Record::new(name, SamplePeriod::new(1.0)?, channels.collect()).map_err(Box::<dyn std::error::Error>::from)
 /// };
 /// let records = [record("first", [1.0, 1.0], 1)?, record("second", [1.0, 2.0], 2)?];
-/// let result = as_printed(&records, &AsPrintedOptions::default())?;
+/// // The transmissibilities have one pole, so that D(q) = q^2 + c_1 q is enough.
+/// let mut options = AsPrintedOptions::default();
+/// options.identification.structure.orders = Orders::new(2, 25, 25)?;
+/// let result = as_printed(&records, &options)?;
 /// assert_eq!(result.modes.len(), 2);
 /// assert!((result.modes[0].eigenvalue.re - 0.9_f64.ln()).abs() < 1e-9);
 /// assert!((result.modes[1].eigenvalue.re - 0.5_f64.ln()).abs() < 1e-9);
@@ -182,6 +244,8 @@ pub fn as_printed(
 ) -> Result<AsPrinted, ReconstructError> {
     check_tolerance("the tolerance of shared zeros", options.shared_tolerance)?;
     check_tolerance("the level of noise", options.noise_level)?;
+    check_tolerance("the largest condition number", options.largest_condition)?;
+    check_tolerance("the largest relative spread", options.largest_relative_spread)?;
     let [first, _, ..] = records else {
         return Err(ReconstructError::TooFewRecords { found: records.len(), needed: 2 });
     };
@@ -191,6 +255,7 @@ pub fn as_printed(
         return Err(ReconstructError::TooFewSensors { found: sensors, needed: 3 });
     }
 
+    refuse_dead_channels(records)?;
     let identifications = records
         .iter()
         .flat_map(|record| (1..sensors).map(move |output| (record, output)))
@@ -203,7 +268,12 @@ pub fn as_printed(
         .flat_map(|pair| (1..sensors).map(move |output| (pair, output)))
         .map(|((first, second), output)| {
             let pair = [identified(first, output), identified(second, output)];
-            let zeros = difference_zeros(pair[0], pair[1])?;
+            // A transmissibility of which the noise leaves nothing has no zeros to compare; the doubts say so.
+            let zeros = if pair.iter().any(|found| found.transmissibility.numerator().is_zero()) {
+                Vec::new()
+            } else {
+                difference_zeros(pair[0], pair[1])?
+            };
             let poles = pair.iter().flat_map(|found| found.poles.iter().copied()).collect();
             Ok(Difference { first, second, output, zeros, poles })
         })
@@ -211,21 +281,24 @@ pub fn as_printed(
 
     let lists: Vec<_> = differences.iter().map(|difference| difference.zeros.clone()).collect();
     let shared = shared_zeros(&lists, options.shared_tolerance)?;
-    let mut doubts = doubts(&identifications, options.noise_level);
-    let mut modes = Vec::new();
+    let period = first.period();
+    let (mut modes, mut blind) = (Vec::new(), Vec::new());
     for (index, zero) in shared.values().into_iter().enumerate() {
-        match z_to_s(zero, first.period()) {
-            Ok(eigenvalue) => {
+        // Only 0 has no logarithm, and it is a root of every D.
+        match z_to_s(zero, period) {
+            Ok(eigenvalue) if !is_blind(zero, &identifications, options.shared_tolerance) => {
                 let shape = mode_shape(zero, &identifications, sensors);
                 modes.push(ReconstructedMode { eigenvalue, shared: index, shape });
             }
-            Err(_) => doubts.push(Doubt::NoContinuousCounterpart { zero }),
+            _ => blind.push(zero),
         }
     }
-    if shared.zeros.is_empty() {
+    let mut doubts = doubts_of_fits(&identifications, options);
+    if modes.is_empty() {
         doubts.insert(0, Doubt::NoSharedZero);
     }
-    Ok(AsPrinted { identifications, differences, shared, modes, period: first.period(), doubts })
+    doubts.extend(modes.iter().filter_map(|mode| spread_doubt(mode, &shared, period, options)));
+    Ok(AsPrinted { identifications, differences, shared, modes, blind, period, doubts })
 }
 
 /// 1 and T(z) for each pseudo output, from the record whose denominators are farthest from zero at z.
@@ -248,17 +321,67 @@ fn mode_shape(
     std::iter::once(Complex::new(1.0, 0.0)).chain((1..sensors).map(in_channel)).collect()
 }
 
-fn doubts(identifications: &[Identification], level: f64) -> Vec<Doubt> {
+/// A sensor that reads the same throughout says nothing, and as a pseudo input would make any answer possible.
+fn refuse_dead_channels(records: &[Record]) -> Result<(), ReconstructError> {
+    for record in records {
+        let dead = record.channels().iter().find(|channel| {
+            channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq())
+        });
+        if let Some(channel) = dead {
+            return Err(ReconstructError::ConstantChannel {
+                record: record.name().to_owned(),
+                channel: channel.name.clone(),
+                value: channel.values[0],
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Whether every transmissibility has a pole there.
+fn is_blind(zero: Complex<f64>, identifications: &[Identification], tolerance: f64) -> bool {
     identifications
         .iter()
-        .filter(|found| found.fit.relative_residual > level)
-        .map(|found| Doubt::Noise {
-            record: found.record.clone(),
-            output: found.output.clone(),
-            relative_residual: found.fit.relative_residual,
-            level,
-        })
-        .collect()
+        .all(|found| found.poles.iter().any(|pole| (pole - zero).norm() <= tolerance))
+}
+
+fn doubts_of_fits(identifications: &[Identification], options: &AsPrintedOptions) -> Vec<Doubt> {
+    identifications.iter().filter_map(|found| doubt_of_fit(found, options)).collect()
+}
+
+/// The gravest doubt that one fit raises.
+fn doubt_of_fit(found: &Identification, options: &AsPrintedOptions) -> Option<Doubt> {
+    let fit = &found.fit;
+    let (record, output) = (found.record.clone(), found.output.clone());
+    let parameters = fit.model.structure().parameter_count();
+    if fit.relative_residual > options.noise_level {
+        let (relative_residual, level) = (fit.relative_residual, options.noise_level);
+        Some(Doubt::Noise { record, output, relative_residual, level })
+    } else if found.transmissibility.numerator().is_zero() {
+        Some(Doubt::NothingAboveNoise { record, output })
+    } else if fit.rank < parameters {
+        Some(Doubt::RankDeficient { record, output, rank: fit.rank, parameters })
+    } else if fit.condition > options.largest_condition {
+        let (condition, limit) = (fit.condition, options.largest_condition);
+        Some(Doubt::IllConditioned { record, output, condition, limit })
+    } else {
+        None
+    }
+}
+
+/// How far the differences disagree on an eigenvalue: a distance d in the z-plane is d / (|z| T) in the s-plane, to first order.
+fn spread_doubt(
+    mode: &ReconstructedMode,
+    shared: &SharedZeros,
+    period: SamplePeriod,
+    options: &AsPrintedOptions,
+) -> Option<Doubt> {
+    let zero = &shared.zeros[mode.shared];
+    let distance = zero.spread / (zero.value.norm() * period.seconds());
+    let relative = distance / mode.eigenvalue.norm();
+    let doubtful =
+        distance > 0.0 && relative > options.largest_relative_spread && mode.eigenvalue.im >= 0.0;
+    doubtful.then_some(Doubt::Spread { eigenvalue: mode.eigenvalue, relative })
 }
 
 #[cfg(test)]

@@ -73,6 +73,26 @@ pub enum ReconstructError {
         /// How many are needed.
         needed: usize,
     },
+    /// A sensor that reads the same number throughout.
+    #[error(
+        "record {record:?}: channel {channel:?} is constant, {value} throughout: a sensor that reads the excitation is needed"
+    )]
+    ConstantChannel {
+        /// The record's name.
+        record: String,
+        /// The channel.
+        channel: String,
+        /// What it reads.
+        value: f64,
+    },
+    /// A zero that is not a finite number.
+    #[error("zero {index} of difference {difference} is not a finite number")]
+    ZeroNotFinite {
+        /// Index of the difference.
+        difference: usize,
+        /// Index of the zero in its list.
+        index: usize,
+    },
     /// Records with different sample periods.
     #[error(
         "record {second:?} is sampled every {found_s} s, record {first:?} every {expected_s} s: resample one of them"

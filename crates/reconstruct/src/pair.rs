@@ -75,7 +75,12 @@ impl Containment {
     /// The largest distance of an eigenvalue from its root; infinite where roots are missing.
     #[must_use]
     pub fn largest_distance(&self) -> f64 {
-        self.matched.iter().fold(0.0, |worst, (_, distance)| distance.max(worst))
+        // A distance that is no number is no small one.
+        let distances = self
+            .matched
+            .iter()
+            .map(|(_, distance)| if distance.is_nan() { f64::INFINITY } else { *distance });
+        distances.fold(0.0, f64::max)
     }
 }
 

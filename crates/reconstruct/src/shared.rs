@@ -54,12 +54,17 @@ impl SharedZeros {
 ///
 /// # Errors
 ///
-/// [`ReconstructError::InvalidTolerance`].
+/// [`ReconstructError::InvalidTolerance`]; [`ReconstructError::ZeroNotFinite`].
 pub fn shared_zeros(
     differences: &[Vec<Zero>],
     tolerance: f64,
 ) -> Result<SharedZeros, ReconstructError> {
     check_tolerance("the tolerance of shared zeros", tolerance)?;
+    for (difference, list) in differences.iter().enumerate() {
+        if let Some(index) = list.iter().position(|zero| !zero.value.is_finite()) {
+            return Err(ReconstructError::ZeroNotFinite { difference, index });
+        }
+    }
     let upper: Vec<Vec<Zero>> = differences.iter().map(|list| upper_half(list)).collect();
     let Some((first, others)) = upper.split_first() else {
         return Ok(SharedZeros { zeros: Vec::new(), tolerance, closest_refused: None });

@@ -140,6 +140,83 @@ fn noise_raises_doubts() {
     assert!(result.doubts.iter().all(|doubt| !doubt.to_string().is_empty()));
 }
 
+/// The records with their channels in another order.
+fn reordered(order: [usize; 3]) -> [Record; 2] {
+    pair().map(|record| {
+        let channels = order.map(|index| record.channels()[index].clone());
+        Record::new(record.name(), record.period(), channels.to_vec()).unwrap()
+    })
+}
+
+#[test]
+fn what_the_pseudo_input_never_sees_is_no_mode() {
+    // The roll rate has a zero at z = 1 under both excitations: the bank angle can be anything while p = 0.
+    let result = as_printed(&reordered([1, 0, 2]), &AsPrintedOptions::default()).unwrap();
+    assert_eq!(result.shared.zeros.len(), 5);
+    assert!(distance_from_truth(&result) < 1e-6, "{:?}", result.modes);
+    assert_eq!(result.blind.len(), 1);
+    assert!((result.blind[0] - 1.0).norm() < 1e-9);
+    assert_eq!(result.doubts, []);
+}
+
+#[test]
+fn noise_far_below_any_sensor_is_seen() {
+    let noisy = pair().map(|record| {
+        changed(&record, |_, values| {
+            let mut sign = 1.0;
+            let mut flip = |k: usize| {
+                sign = if (k * k + 3 * k / 7) % 3 == 0 { -sign } else { sign };
+                sign
+            };
+            values.iter().enumerate().map(|(k, value)| value + 1e-10 * flip(k)).collect()
+        })
+    });
+    let result = as_printed(&noisy, &AsPrintedOptions::default()).unwrap();
+    assert!(
+        result.doubts.iter().any(|doubt| matches!(doubt, Doubt::Noise { .. })),
+        "{:?}",
+        result.doubts
+    );
+}
+
+#[test]
+fn copies_of_one_sensor_give_no_silent_answer() {
+    let copies = pair().map(|record| changed(&record, |_, _| record.channels()[0].values.clone()));
+    match as_printed(&copies, &AsPrintedOptions::default()) {
+        Err(ReconstructError::SameExcitation { .. }) => {}
+        Ok(result) => {
+            let deficient =
+                |doubt: &Doubt| matches!(doubt, Doubt::RankDeficient { rank, .. } if *rank < 54);
+            assert!(result.doubts.iter().any(deficient), "{:?}", result.doubts);
+        }
+        Err(other) => panic!("{other}"),
+    }
+}
+
+#[test]
+fn noise_that_leaves_nothing_is_a_doubt_and_no_error() {
+    // Records of noise alone, different in each channel.
+    let noise = |seed: u32| {
+        let mut state = seed;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state) / f64::from(u32::MAX) - 0.5
+        };
+        (0..300).map(|_| next()).collect::<Vec<f64>>()
+    };
+    let record = |name: &str, seed: u32| {
+        let channels =
+            [("beta", 1), ("p", 2), ("r", 3)].map(|(name, k)| Channel::new(name, noise(seed + k)));
+        Record::new(name, SamplePeriod::new(0.1).unwrap(), channels.to_vec()).unwrap()
+    };
+    let result =
+        as_printed(&[record("first", 10), record("second", 20)], &AsPrintedOptions::default())
+            .unwrap();
+    assert_eq!(result.modes, []);
+    assert_eq!(result.doubts[0], Doubt::NoSharedZero);
+    assert_eq!(result.doubts.len(), 5);
+}
+
 #[test]
 fn refuses_what_cannot_work() {
     let [aileron, rudder] = pair();
@@ -160,7 +237,15 @@ fn refuses_what_cannot_work() {
         &rudder,
         |index, values| if index == 0 { vec![1.5; values.len()] } else { values.to_vec() },
     );
-    check(&[aileron.clone(), dead], "constant");
+    check(
+        &[aileron.clone(), dead],
+        "record \"noise_free_rudder\": channel \"beta\" is constant, 1.5 throughout",
+    );
+    let zero = changed(
+        &rudder,
+        |index, values| if index == 2 { vec![0.0; values.len()] } else { values.to_vec() },
+    );
+    check(&[aileron.clone(), zero], "channel \"r\" is constant, 0 throughout");
     check(&[aileron.clone(), aileron.clone()], "the same transmissibility");
 
     let bad = AsPrintedOptions { shared_tolerance: 0.0, ..AsPrintedOptions::default() };

@@ -71,5 +71,6 @@ fn containment_counts_multiplicities() {
     assert_eq!(twice.extra, [z(-7.0)]);
     // A double eigenvalue needs two roots.
     assert!(containment(&[z(1.0), z(1.0)], &[z(1.0), z(-7.0)]).largest_distance() > 7.0);
+    assert!(containment(&[z(f64::NAN)], &[z(1.0)]).largest_distance().is_infinite());
     assert!(containment(&[z(1.0), z(2.0)], &[z(1.0)]).largest_distance().is_infinite());
 }

@@ -52,6 +52,8 @@ fn a_well_conditioned_member_outweighs_a_poor_one() {
 fn nothing_is_shared_with_nothing() {
     assert_eq!(shared_zeros(&[], 1e-6).unwrap().zeros.len(), 0);
     assert_eq!(shared_zeros(&[list(&[0.5], &[]), Vec::new()], 1e-6).unwrap().zeros.len(), 0);
+    let undefined = shared_zeros(&[list(&[f64::NAN], &[]), list(&[0.5], &[])], 1e-6);
+    assert_eq!(undefined, Err(ReconstructError::ZeroNotFinite { difference: 0, index: 0 }));
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(
             shared_zeros(&[], tolerance),

@@ -15,6 +15,8 @@ struct Output<'a> {
     sample_period_s: f64,
     records: Vec<RecordOutput<'a>>,
     modes: Vec<ModeOutput>,
+    /// Smallest spread of a group of zeros that was refused as a mode.
+    closest_refused: Option<f64>,
     transmissibilities: Vec<TransmissibilityOutput<'a>>,
     warnings: Vec<Warning>,
 }
@@ -89,6 +91,7 @@ pub(super) fn render(
             .map(|record| RecordOutput { file: record.name(), samples: record.samples() })
             .collect(),
         modes: found.iter().map(mode).collect(),
+        closest_refused: result.shared.closest_refused,
         transmissibilities: result.identifications.iter().map(transmissibility).collect(),
         warnings: result
             .doubts
@@ -141,7 +144,10 @@ fn code(doubt: &Doubt) -> &'static str {
     match doubt {
         Doubt::NoSharedZero => "no-shared-zero",
         Doubt::Noise { .. } => "noise",
-        Doubt::NoContinuousCounterpart { .. } => "no-continuous-counterpart",
+        Doubt::NothingAboveNoise { .. } => "nothing-above-noise",
+        Doubt::RankDeficient { .. } => "rank-deficient",
+        Doubt::IllConditioned { .. } => "ill-conditioned",
+        Doubt::Spread { .. } => "spread",
         _ => "other",
     }
 }
