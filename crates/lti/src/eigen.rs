@@ -11,7 +11,7 @@ use num_complex::Complex;
 use crate::LtiError;
 use crate::dense::CVector;
 use crate::doubled_product::row_product;
-use crate::scaling::{Balanced, balance};
+use crate::scaling::{WidelyBalanced, balance_widely, exponent, times_power_of_two};
 
 /// One eigenvalue with its vectors: A v = lambda v, w^H A = lambda w^H, |v| = 1 and w^H v = 1.
 #[derive(Debug, Clone)]
@@ -19,9 +19,9 @@ pub(crate) struct Eigenpair {
     pub(crate) value: Complex<f64>,
     /// Unit length, its largest component real and positive.
     pub(crate) right: CVector,
-    /// Scaled so that w^H v = 1; of unit length if w^H v = 0 (a defective eigenvalue).
+    /// Scaled so that w^H v = 1; of unit length if the condition is infinite.
     pub(crate) left: CVector,
-    /// |v| |w| / |w^H v| in the coordinates of A; infinite for a defective eigenvalue.
+    /// |v| |w| / |w^H v| in the coordinates of A; infinite for a defective eigenvalue and beyond about 1e307.
     pub(crate) condition: f64,
     /// |w|^T |A| |v| / |w^H v|: the change of the eigenvalue per relative change of the entries of A.
     pub(crate) entrywise_condition: f64,
@@ -43,26 +43,34 @@ pub(crate) fn eigenvalues(a: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, LtiErro
 /// A is balanced, faer's QR algorithm gives values and vectors, and each value is refined once by its two-sided
 /// Rayleigh quotient with a residual in double-double arithmetic. The error of a simple eigenvalue is then of
 /// second order in the error of its vectors: almost full accuracy unless it is ill conditioned.
+///
+/// The entries may have any exponents. Errors are relative to the norm of the balanced matrix: a value more than
+/// 2^-1074 below it, as in diag(1e300, 1e-300), comes out as 0. An eigenvalue that is not a finite number is
+/// [`LtiError::Overflow`].
 pub(crate) fn eigenpairs(a: &DMatrix<f64>) -> Result<Vec<Eigenpair>, LtiError> {
     let n = a.nrows();
     if n == 0 {
         return Ok(Vec::new());
     }
-    let Balanced { matrix, diagonal, scale } = balance(a);
+    let WidelyBalanced { matrix, diagonal, scale } = balance_widely(a);
     let raw = raw_eigenpairs(&matrix)?;
     let norm = matrix.norm();
     let mut pairs = Vec::with_capacity(n);
     for (value, right, left) in raw {
         let value = refined(&matrix, norm, value, &right, &left);
         check_residual(&matrix, norm, value, &right)?;
-        let entrywise_condition = entrywise_condition(&matrix, &right, &left) * scale;
-        let original_right = CVector::from_fn(n, |i, _| right[i] * diagonal[i]);
-        let original_left = CVector::from_fn(n, |i, _| left[i] / diagonal[i]);
+        let entrywise_condition =
+            times_power_of_two(entrywise_condition(&matrix, &right, &left), scale);
+        let original_right = in_units(&right, |i| diagonal[i]);
+        let original_left = in_units(&left, |i| -diagonal[i]);
         let (right, left, condition) = normalised(original_right, original_left);
-        let value = value * scale;
-        if value.im != 0.0 {
+        // Asked before scaling, which may take the imaginary part out of the range.
+        let complex = value.im != 0.0;
+        let value = scaled(value, scale)?;
+        if complex {
+            // A pair whose imaginary part is too small for a double is two equal real values: both im = +0.
             pairs.push(Eigenpair {
-                value: value.conj(),
+                value: Complex::new(value.re, 0.0 - value.im),
                 right: right.map(|x| x.conj()),
                 left: left.map(|x| x.conj()),
                 condition,
@@ -73,6 +81,27 @@ pub(crate) fn eigenpairs(a: &DMatrix<f64>) -> Result<Vec<Eigenpair>, LtiError> {
     }
     pairs.sort_by(|x, y| compare(&x.value, &y.value));
     Ok(pairs)
+}
+
+/// value 2^exponent, which has to be a finite number.
+fn scaled(value: Complex<f64>, exponent: i32) -> Result<Complex<f64>, LtiError> {
+    let part = |x: f64| times_power_of_two(x, exponent);
+    let result = Complex::new(part(value.re), part(value.im));
+    if result.is_finite() {
+        Ok(result)
+    } else {
+        Err(LtiError::Overflow { operation: "an eigenvalue of the state matrix" })
+    }
+}
+
+/// The components times 2^power(i), all divided by one power of two that makes the largest about 1.
+fn in_units(vector: &CVector, power: impl Fn(usize) -> i32) -> CVector {
+    let nonzero = vector.iter().enumerate().filter(|(_, x)| x.norm() > 0.0);
+    let top = nonzero.map(|(i, x)| exponent(x.norm()) + power(i)).max().unwrap_or(0);
+    CVector::from_fn(vector.len(), |i, _| {
+        let part = |x: f64| times_power_of_two(x, power(i) - top);
+        Complex::new(part(vector[i].re), part(vector[i].im))
+    })
 }
 
 /// (lambda, v, w) from faer; of a complex pair only the one with positive imaginary part.
@@ -206,8 +235,14 @@ fn normalised(right: CVector, left: CVector) -> (CVector, CVector, f64) {
         let unit = &left / Complex::new(length, 0.0);
         return (right, unit, f64::INFINITY);
     }
-    let left = &left / overlap.conj();
-    let condition = left.norm();
+    // The division and the norm square their operands: everything of order one first.
+    let small = -exponent(overlap.norm());
+    let times = |z: Complex<f64>| {
+        Complex::new(times_power_of_two(z.re, small), times_power_of_two(z.im, small))
+    };
+    let left = left / times(overlap).conj();
+    let condition = times_power_of_two(left.norm(), small);
+    let left = left.map(times);
     (right, left, condition)
 }
 

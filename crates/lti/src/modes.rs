@@ -160,7 +160,8 @@ impl StateSpace<Continuous> {
     ///
     /// # Errors
     ///
-    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails.
+    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails; [`LtiError::Overflow`] if an eigenvalue is
+    /// larger than the largest finite number.
     ///
     /// # Example
     ///
@@ -188,7 +189,8 @@ impl StateSpace<Discrete> {
     ///
     /// # Errors
     ///
-    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails.
+    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails; [`LtiError::Overflow`] if an eigenvalue is
+    /// larger than the largest finite number.
     pub fn modes(&self) -> Result<Vec<Mode>, LtiError> {
         let mut modes = Vec::new();
         for pair in eigenpairs(self.a())? {

@@ -12,7 +12,7 @@ pub struct Pole {
     /// The eigenvalue of A: in rad/s in continuous time, in the z plane in discrete time.
     pub value: Complex<f64>,
     /// |v| |w| / |w^H v|, v and w the right and left eigenvectors: to first order a change E of A moves the pole
-    /// by at most `condition * ||E||_2`. 1 at best; infinite for a defective eigenvalue.
+    /// by at most `condition * ||E||_2`. 1 at best; infinite for a defective eigenvalue and beyond about 1e307.
     pub condition: f64,
     /// |w|^T |A| |v| / |w^H v|: relative changes of the entries of A by at most eps move the pole by at most
     /// `entrywise_condition * eps`, to first order. It doesn't depend on the units of the states
@@ -29,7 +29,8 @@ impl<T: TimeDomain> StateSpace<T> {
     ///
     /// # Errors
     ///
-    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails.
+    /// [`LtiError::NotConverged`] if the eigenvalue iteration fails; [`LtiError::Overflow`] if a pole is larger
+    /// than the largest finite number.
     ///
     /// # Example
     ///

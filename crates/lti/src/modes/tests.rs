@@ -91,3 +91,16 @@ fn a_shift_register_is_deadbeat() {
         modes.iter().all(|mode| mode.kind == ModeKind::Deadbeat && mode.condition > Some(1e14))
     );
 }
+
+#[test]
+fn eigenvalues_beyond_the_range_are_an_error() {
+    let a = DMatrix::from_element(2, 2, f64::MAX);
+    let (b, c, d) = (DMatrix::zeros(2, 0), DMatrix::zeros(0, 2), DMatrix::zeros(0, 0));
+    let system = StateSpace::<Continuous>::new(a.clone(), b.clone(), c.clone(), d.clone())
+        .expect("a system");
+    assert!(matches!(system.modes(), Err(LtiError::Overflow { .. })));
+    assert!(matches!(system.poles(), Err(LtiError::Overflow { .. })));
+    let period = SamplePeriod::new(1.0).expect("a period");
+    let sampled = StateSpace::<Discrete>::new(a, b, c, d, period).expect("a system");
+    assert!(matches!(sampled.modes(), Err(LtiError::Overflow { .. })));
+}

@@ -17,6 +17,47 @@ fn exponents() {
 }
 
 #[test]
+fn mantissas_and_exponents_over_the_whole_range() {
+    for (x, wanted) in [
+        (f64::MAX, 1023),
+        (-f64::MIN_POSITIVE, -1022),
+        (f64::MIN_POSITIVE / 4.0, -1024),
+        (5e-324, -1074),
+        (1.0_f64.next_down(), -1),
+        (2.0_f64.powi(1000).next_down(), 999),
+    ] {
+        let (mantissa, power) = split(x).expect("a finite number that isn't 0");
+        assert!((1.0..2.0).contains(&mantissa.abs()) && mantissa.signum() == x.signum(), "{x:e}");
+        assert_eq!((power, times_power_of_two(mantissa, power)), (wanted, x), "{x:e}");
+    }
+    assert_eq!(times_power_of_two(5e-324, 2097), 2.0_f64.powi(1023));
+    assert_eq!(times_power_of_two(-1.0, i32::MAX), f64::NEG_INFINITY);
+    assert_eq!(times_power_of_two(1.0, i32::MIN), 0.0);
+}
+
+#[test]
+fn balancing_before_scaling_loses_no_entry() {
+    for a in [
+        dmatrix![0.0, 1e300; 1e-300, 0.0],
+        dmatrix![1.0, 1e308; 1e-308, 2.0],
+        dmatrix![0.0, 1e308; 1.0, 0.0],
+        // D spans 2^3000 here.
+        dmatrix![0.0, 1e300, 0.0, 0.0; 0.0, 0.0, 1e300, 0.0; 0.0, 0.0, 0.0, 1e300; 1e-300, 0.0, 0.0, 0.0],
+    ] {
+        let WidelyBalanced { matrix, diagonal, scale } = balance_widely(&a);
+        let n = a.nrows();
+        let back = DMatrix::from_fn(n, n, |i, j| {
+            times_power_of_two(matrix[(i, j)], scale + diagonal[i] - diagonal[j])
+        });
+        assert_eq!(back, a);
+        for (x, y) in matrix.iter().zip(&a) {
+            assert_eq!(*x == 0.0, *y == 0.0);
+            assert!(*y == 0.0 || (0.01..2.0).contains(x), "{matrix}");
+        }
+    }
+}
+
+#[test]
 fn balancing_undoes_powers_of_two_exactly() {
     let a = dmatrix![1.0, -0.7, 0.4; 0.3, -1.2, 0.9; -0.8, 0.6, 1.1];
     let units = [2.0_f64.powi(30), 1.0, 2.0_f64.powi(-25)];
