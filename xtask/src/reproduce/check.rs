@@ -87,6 +87,12 @@ impl Check {
         }
     }
 
+    /// A check of exact text that the paper does not print.
+    pub(crate) fn stated(id: &'static str, computed: &str, reference: &str, note: &str) -> Self {
+        Self::exact(id, Print::Right, computed, computed, reference, note)
+            .without_print("(not printed)")
+    }
+
     /// A check of numbers that the paper prints with a few decimals, compared one by one.
     pub(crate) fn numbers(
         id: &'static str,

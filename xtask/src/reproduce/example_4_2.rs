@@ -187,10 +187,8 @@ fn difference_checks(
             "numerator of the difference",
         )?,
         Check::roots(roots_id, print, printed_roots, &found, &reference_roots, 1e-12, note),
-        Check::numbers(
+        Check::computed(
             containment_id,
-            Print::Right,
-            &["0.00"],
             &[contained.largest_distance()],
             &[0.0],
             1e-12,

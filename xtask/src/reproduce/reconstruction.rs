@@ -1,8 +1,12 @@
 //! Figure 4: the differences of the transmissibilities, the zeros that they share, and the eigenvalues.
 
+use aircraft::{Eigenpair, ModeShape, name_modes};
 use lti::StateSpace;
 use num_complex::Complex;
-use reconstruct::{AsPrintedOptions, Difference, Record, as_printed, containment};
+use reconstruct::{
+    Difference, IdentificationOptions, ReconstructError, ReconstructedMode, Record, containment,
+    difference_zeros, identify,
+};
 use report::{
     Block, Column, Figure, Notes, Panel, Points, Table, format_conjugate_pair, format_significant,
 };
@@ -54,7 +58,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         introduction: "The transmissibilities of the aileron record minus those of the rudder record. Their common zeros are the eigenvalues of the sampled \
                        aircraft; the other zeros are invariant zeros of the system from the two surfaces to the two sensors.",
         checks,
-        blocks: vec![figure(flight), result_table(flight)?],
+        blocks: vec![figure(flight)?, result_table(flight)?],
     })
 }
 
@@ -62,7 +66,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
 fn order(flight: &Flight) -> Result<Check, TaskError> {
     let nearest = |printed: f64| {
         let real = flight.result.modes.iter().filter(|mode| mode.eigenvalue.im.abs() <= 0.0);
-        let distance = |mode: &&reconstruct::ReconstructedMode| {
+        let distance = |mode: &&ReconstructedMode| {
             (flight.result.shared.zeros[mode.shared].value - printed).norm()
         };
         real.min_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -82,24 +86,27 @@ fn order(flight: &Flight) -> Result<Check, TaskError> {
     ))
 }
 
-/// The abstract names two sensors. With roll rate and yaw rate alone there is one transmissibility, and nothing to tell eigenvalues from its other zeros.
+/// The abstract names two sensors. With roll rate and yaw rate alone there is one difference, and nothing to tell eigenvalues from its other zeros.
 fn sideslip_needed(flight: &Flight) -> Result<Check, TaskError> {
-    let two = |record: &Record| {
-        Record::new(record.name(), record.period(), record.channels()[1..].to_vec())
-            .map_err(TaskError::computation(PART))
+    let fault = TaskError::computation::<ReconstructError>(PART);
+    let (roll_rate, yaw_rate) = (1, 2);
+    let identified = |record: &Record| {
+        identify(record, roll_rate, yaw_rate, &IdentificationOptions::default()).map_err(fault)
     };
     let [aileron, rudder] = &flight.records;
-    let computed = match as_printed(&[two(aileron)?, two(rudder)?], &AsPrintedOptions::default()) {
-        Ok(_) => "roll rate, yaw rate",
-        Err(_) => "sideslip, roll rate, yaw rate",
-    };
+    let zeros = difference_zeros(&identified(aileron)?, &identified(rudder)?).map_err(fault)?.len();
+    let order = flight.continuous.order();
+    let computed =
+        if zeros == order { "roll rate, yaw rate" } else { "sideslip, roll rate, yaw rate" };
     Ok(Check::exact(
         "aircraft-sideslip-needed",
         Print::Slip,
         "roll rate, yaw rate",
         computed,
         "sideslip, roll rate, yaw rate",
-        "sensors without which the method has no answer",
+        &format!(
+            "with the two rates alone there is one difference, and nothing tells the {order} eigenvalues among its {zeros} zeros"
+        ),
     ))
 }
 
@@ -124,7 +131,30 @@ fn extra_roots(
     Ok(Check::computed_roots(id, &extra, &invariant, 1e-8, &note))
 }
 
-fn figure(flight: &Flight) -> Block {
+/// The names of the reconstructed modes beside their shared zeros, told by what each mode looks like in the sensors.
+fn names(flight: &Flight) -> Result<Vec<(f64, f64, String)>, TaskError> {
+    let modes: Vec<_> =
+        flight.result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0).collect();
+    let shape = |shape: &[Complex<f64>]| match shape {
+        [sideslip, roll_rate, yaw_rate] => {
+            Some(ModeShape::from_sensors(*sideslip, *roll_rate, *yaw_rate))
+        }
+        _ => None,
+    };
+    let pairs: Vec<_> = modes
+        .iter()
+        .map(|mode| Eigenpair { eigenvalue: mode.eigenvalue, shape: shape(&mode.shape) })
+        .collect();
+    let named = name_modes(&pairs).map_err(TaskError::computation(PART))?;
+    let place = |mode: &ReconstructedMode| flight.result.shared.zeros[mode.shared].value;
+    Ok(named
+        .iter()
+        .zip(modes)
+        .map(|(named, mode)| (place(mode).re, place(mode).im, named.name.to_string()))
+        .collect())
+}
+
+fn figure(flight: &Flight) -> Result<Block, TaskError> {
     // 0.99984 is the spiral, 1 a zero of the difference for the roll rate alone.
     const CLOSEST: (f64, f64) = (0.9985, 1.0015);
     let caption = "One row for each pseudo output: the whole map, the neighbourhood of z = 1, and that of the spiral. Every true eigenvalue lies on a zero of both differences.";
@@ -134,12 +164,10 @@ fn figure(flight: &Flight) -> Block {
         caption,
     )
     .columns(3);
-    let eigenvalues: Vec<_> =
-        flight.discrete.poles().unwrap_or_default().into_iter().map(|z| (z.re, z.im)).collect();
-    let names =
-        [("Dutch roll", (0.9788, 0.1672)), ("roll", (0.9469, 0.0)), ("spiral", (0.9998, 0.0))];
+    let truth = flight.discrete.poles().map_err(TaskError::computation(PART))?;
+    let eigenvalues: Vec<_> = truth.into_iter().map(|z| (z.re, z.im)).collect();
+    let names = names(flight)?;
     for difference in &flight.result.differences {
-        let names = names.map(|(name, (re, im))| (re, im, name));
         let input = &flight.records[0].channels()[0].name;
         let output = &flight.records[0].channels()[difference.output].name;
         let with_points = |panel: Panel| {
@@ -159,11 +187,11 @@ fn figure(flight: &Flight) -> Block {
             .with(
                 with_points(Panel::z_plane("near z = 1"))
                     .zoom((0.86, 1.1), (-0.2, 0.2))
-                    .with(Notes::new(names)),
+                    .with(Notes::new(names.clone())),
             )
             .with(with_points(Panel::z_plane("near the spiral")).zoom(CLOSEST, (-0.0015, 0.0015)));
     }
-    figure.into()
+    Ok(figure.into())
 }
 
 fn result_table(flight: &Flight) -> Result<Block, TaskError> {

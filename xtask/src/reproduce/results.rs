@@ -1,6 +1,7 @@
 //! results.json: every check, and the aircraft's numbers in full precision.
 
 use num_complex::Complex;
+use reconstruct::containment;
 use serde::Serialize;
 
 use super::check::Check;
@@ -23,11 +24,15 @@ struct Aircraft {
 pub(crate) fn json(checks: &[&Check], flight: &Flight) -> Result<String, TaskError> {
     let pairs = |values: Vec<Complex<f64>>| values.into_iter().map(|z| [z.re, z.im]).collect();
     let truth = flight.continuous.poles().map_err(TaskError::computation("aircraft"))?;
+    let eigenvalues: Vec<_> = flight.result.modes.iter().map(|mode| mode.eigenvalue).collect();
+    // Each true eigenvalue in the place of the reconstructed one that is closest to it.
+    let truth =
+        containment(&eigenvalues, &truth).matched.into_iter().map(|(value, _)| value).collect();
     let results = Results {
         checks,
         aircraft: Aircraft {
             shared_zeros: pairs(flight.result.shared.values()),
-            eigenvalues: pairs(flight.result.modes.iter().map(|mode| mode.eigenvalue).collect()),
+            eigenvalues: pairs(eigenvalues),
             true_eigenvalues: pairs(truth),
         },
     };

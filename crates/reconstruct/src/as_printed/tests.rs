@@ -165,7 +165,7 @@ fn noise_far_below_any_sensor_is_seen() {
         changed(&record, |_, values| {
             let mut sign = 1.0;
             let mut flip = |k: usize| {
-                sign = if (k * k + 3 * k / 7) % 3 == 0 { -sign } else { sign };
+                sign = if (k * k + 3 * k / 7).is_multiple_of(3) { -sign } else { sign };
                 sign
             };
             values.iter().enumerate().map(|(k, value)| value + 1e-10 * flip(k)).collect()
