@@ -1,5 +1,6 @@
 //! Whole files or none: a file is written beside its place and then renamed.
 
+use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
@@ -25,19 +26,18 @@ pub fn write_whole(file: &Path, bytes: &[u8], out: &mut dyn Write) -> Result<(),
     let folder =
         file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut draft = draft_in(folder).map_err(fault)?;
-    draft.write_all(bytes).map_err(fault)?;
+    draft.as_file_mut().write_all(bytes).map_err(fault)?;
     draft.as_file().sync_all().map_err(fault)?;
     draft.persist(file).map_err(|error| fault(error.error))?;
     Ok(())
 }
 
 /// A temporary file with the rights of an ordinary one, which the user's mask may narrow.
+///
+/// It is opened here so that an error is the operating system's own: the draft's name would tell the user nothing.
 fn draft_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".transmode-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    let open = |draft: &Path| OpenOptions::new().write(true).create_new(true).open(draft);
+    tempfile::Builder::new().prefix(".transmode-").make_in(folder, open)
 }
 
 #[cfg(test)]
