@@ -78,15 +78,22 @@ fn fields_that_are_no_numbers() {
 fn time_that_does_not_advance_evenly() {
     let table = |change: fn(u32) -> u32| rows(200, move |k| good_row(change(k)));
     refuses(table(|k| k + u32::from(k >= 90)), &[], "bad.csv, line 92: time advances by 0.2");
-    refuses(table(|k| k - u32::from(k >= 90)), &[], "bad.csv, line 92: time advances by 0 s");
+    refuses(table(|k| k - u32::from(k >= 90)), &[], "bad.csv, line 92: time stands still");
     refuses(
         table(|k| if k == 90 { 10 } else { k }),
         &[],
-        "bad.csv, line 92: time advances by -7.9",
+        "bad.csv, line 92: time runs backwards by 7.9 s",
     );
-    refuses(table(|_| 7), &[], "bad.csv, line 3: time advances by 0 s");
-    refuses(header() + &good_row(0), &[], "bad.csv holds 1 sample(s)");
-    refuses(rows(200, |k| good_row(k).replacen(',', "e300,", 1)), &[], "bad.csv");
+    refuses(table(|_| 7), &[], "bad.csv, line 3: time stands still");
+    refuses(header() + &good_row(0), &[], "bad.csv holds 1 sample; at least 2");
+    refuses(table(|k| 200 - k), &[], "bad.csv, line 3: time runs backwards by 0.1 s");
+    for (exponent, step) in [("e300", "1e299"), ("e-319", "1e-320")] {
+        refuses(
+            rows(200, |k| good_row(k).replacen(',', &format!("{exponent},"), 1)),
+            &[],
+            &format!("bad.csv, column \"time\": time advances by {step} s; time in seconds"),
+        );
+    }
 }
 
 #[test]
@@ -105,6 +112,8 @@ fn columns_that_are_not_there() {
         "--outputs names \"time\" as a sensor, but it is the column of time",
     );
     refuses(good(), &["--outputs", "beta,,p"], "separate the names by single commas");
+    refuses("time,,p\n0,1,2\n0.1,2,3\n", &["--outputs", "q,r"], "it has time, \"\", p");
+    refuses("time\n0\n0.1\n", &[], "bad.csv: time is its only column");
     refuses(good(), &["--outputs", "beta,p"], "2 sensor channel(s), but 3 are needed");
     refuses("time,beta,p\n0,1,2\n0.1,2,3\n", &[], "has channels beta, p");
     refuses("beta,p,r,phi\n1,2,3,4\n", &[], "none of its columns (beta, p, r, phi) is called time");
@@ -162,6 +171,7 @@ fn places_that_cannot_be_written() {
     let missing = folder.path("no").join("modes.json");
     let ran = transmode(&["identify", &good, &more, "--json", missing.to_str().unwrap()]);
     assert_eq!(ran.exit, Exit::BadInput);
-    assert!(ran.err.starts_with("error: cannot write "), "{}", ran.err);
+    let reason = std::fs::File::open(&missing).unwrap_err();
+    assert_eq!(ran.err, format!("error: cannot write {}: {reason}\n", missing.display()));
     assert!(folder.names().is_empty());
 }

@@ -30,6 +30,36 @@ pub enum CommandError {
         /// Line, from 1.
         line: u64,
     },
+    /// A quote that opens and never closes.
+    #[error("{}, line {line}: a quote is opened there and never closed; close or remove it", file.display())]
+    OpenQuote {
+        /// The file.
+        file: PathBuf,
+        /// Line on which the row starts, from 1.
+        line: u64,
+    },
+    /// Blanks where the header should be.
+    #[error(
+        "{}, line {line}: the header should be here, but the line holds no name; remove it if the header is below",
+        file.display()
+    )]
+    BlankHeader {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+    },
+    /// A table whose fields are separated by something else than commas.
+    #[error(
+        "{}: one column only, its name holds {separator:?}: the fields must be separated by commas; export with commas",
+        file.display()
+    )]
+    NotCommas {
+        /// The file.
+        file: PathBuf,
+        /// What seems to separate the fields.
+        separator: char,
+    },
     /// A file without a header or without a row below it.
     #[error("{} holds no samples: a header line and rows of numbers are needed", file.display())]
     Empty {
@@ -38,8 +68,8 @@ pub enum CommandError {
     },
     /// A row with too many or too few fields.
     #[error(
-        "{}, line {line}: {found} fields, but the header names {expected} columns",
-        file.display()
+        "{}, line {line}: {}, but the header names {}",
+        file.display(), counted(*found, "field"), counted(*expected, "column")
     )]
     Ragged {
         /// The file.
@@ -99,7 +129,10 @@ pub enum CommandError {
         available: String,
     },
     /// Fewer than two samples: no sample period.
-    #[error("{} holds {found} sample(s); at least 2 are needed to know the sample period", file.display())]
+    #[error(
+        "{} holds {}; at least 2 are needed to know the sample period",
+        file.display(), counted(*found as u64, "sample")
+    )]
     TooShort {
         /// The file.
         file: PathBuf,
@@ -108,7 +141,7 @@ pub enum CommandError {
     },
     /// Time that does not advance in equal steps.
     #[error(
-        "{}, line {line}: time advances by {step_s} s, elsewhere by {period_s} s; \
+        "{}, line {line}: time advances by {step_s:?} s, elsewhere by {period_s:?} s; \
          cut the record there or resample it to equal steps",
         file.display()
     )]
@@ -122,6 +155,33 @@ pub enum CommandError {
         /// The usual step, in seconds.
         period_s: f64,
     },
+    /// Time that stands still or runs backwards.
+    #[error(
+        "{}, line {line}: {}; put the rows in order of time or cut the record there",
+        file.display(), backward(*step_s)
+    )]
+    Backward {
+        /// The file.
+        file: PathBuf,
+        /// Line of the sample that is no later than the one before, from 1.
+        line: u64,
+        /// The step before it, in seconds: zero or less.
+        step_s: f64,
+    },
+    /// Steps of time that are no sample period.
+    #[error(
+        "{}, column {column:?}: time advances by {period_s:?} s; \
+         time in seconds with steps from 1e-12 s to 1e12 s is needed",
+        file.display()
+    )]
+    SamplePeriod {
+        /// The file.
+        file: PathBuf,
+        /// The column of time.
+        column: String,
+        /// The usual step, in seconds.
+        period_s: f64,
+    },
     /// The same column asked for twice, or time asked for as an output.
     #[error("--outputs names {column:?} {why}")]
     BadOutputs {
@@ -129,6 +189,14 @@ pub enum CommandError {
         column: String,
         /// What is wrong with it.
         why: &'static str,
+    },
+    /// A file whose columns make no record.
+    #[error("{}: {message}", file.display())]
+    InFile {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it.
+        message: String,
     },
     /// The records don't allow a reconstruction.
     #[error("{0}")]
@@ -139,5 +207,18 @@ impl CommandError {
     /// Whether the reader of the output went away.
     pub(crate) fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Write { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+}
+
+/// `1 field`, `2 fields`.
+fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+fn backward(step_s: f64) -> String {
+    if step_s < 0.0 {
+        format!("time runs backwards by {:?} s", -step_s)
+    } else {
+        "time stands still, as in the row before".to_owned()
     }
 }

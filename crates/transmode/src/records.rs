@@ -73,13 +73,16 @@ fn record<R>(
             why: "as a sensor, but it is the column of time",
         });
     }
+    if wanted.is_empty() {
+        let message = "time is its only column; sensors are needed as well".to_owned();
+        return Err(CommandError::InFile { file: file.to_owned(), message });
+    }
     let channels = wanted
         .iter()
         .map(|&index| Channel::new(columns.names[index].clone(), columns.values[index].clone()))
         .collect();
     let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy();
-    Record::new(name, period, channels)
-        .map_err(|error| CommandError::Reconstruct(error.to_string()))
+    Record::new(name, period, channels).map_err(|error| in_file(file, &error))
 }
 
 fn time_column<R>(
@@ -94,7 +97,7 @@ fn time_column<R>(
         |name: &String| name.eq_ignore_ascii_case("time") || name.eq_ignore_ascii_case("t");
     columns.names.iter().position(is_time).ok_or_else(|| CommandError::NoTimeColumn {
         file: file.to_owned(),
-        available: columns.names.join(", "),
+        available: listed(&columns.names),
     })
 }
 
@@ -103,21 +106,40 @@ fn sample_period<R>(
     columns: &Columns<R>,
     time: usize,
 ) -> Result<SamplePeriod, CommandError> {
-    let file = file.to_owned();
+    let owned = || file.to_owned();
     match sampling(&columns.values[time]) {
-        None => Err(CommandError::TooShort { file, found: columns.rows() }),
+        None => Err(CommandError::TooShort { file: owned(), found: columns.rows() }),
         Some(Sampling::Uneven { index, step_s, period_s }) => {
-            Err(CommandError::Uneven { file, line: columns.line(index), step_s, period_s })
+            Err(CommandError::Uneven { file: owned(), line: columns.line(index), step_s, period_s })
         }
-        Some(Sampling::Even { period_s }) => SamplePeriod::new(period_s)
-            .map_err(|error| CommandError::Reconstruct(error.to_string())),
+        Some(Sampling::Backward { index, step_s }) => {
+            Err(CommandError::Backward { file: owned(), line: columns.line(index), step_s })
+        }
+        Some(Sampling::OutOfRange { period_s }) => Err(CommandError::SamplePeriod {
+            file: owned(),
+            column: columns.names[time].clone(),
+            period_s,
+        }),
+        Some(Sampling::Even { period_s }) => {
+            SamplePeriod::new(period_s).map_err(|error| in_file(file, &error))
+        }
     }
+}
+
+fn in_file(file: &Path, error: &dyn std::error::Error) -> CommandError {
+    CommandError::InFile { file: file.to_owned(), message: error.to_string() }
+}
+
+/// Names for a message; one that is empty would not be seen.
+fn listed(names: &[String]) -> String {
+    let shown = |name: &String| if name.is_empty() { "\"\"".to_owned() } else { name.clone() };
+    names.iter().map(shown).collect::<Vec<_>>().join(", ")
 }
 
 fn no_such_column<R>(file: &Path, columns: &Columns<R>, name: &str) -> CommandError {
     CommandError::NoSuchColumn {
         file: file.to_owned(),
         column: name.to_owned(),
-        available: columns.names.join(", "),
+        available: listed(&columns.names),
     }
 }

@@ -37,10 +37,11 @@ pub(crate) fn read<R: Read>(file: &Path, source: R) -> Result<Columns<R>, Comman
         ::csv::ReaderBuilder::new().trim(::csv::Trim::All).from_reader(CountedLines::new(source));
     let header = reader.headers().map(|header| header.iter().map(str::to_owned).collect());
     let names: Vec<String> = header.map_err(|error| translate(file, error, reader.get_ref()))?;
-    check_header(file, &names)?;
+    check_header(file, &names, reader.get_ref())?;
     let mut values = vec![Vec::new(); names.len()];
     let mut row = ::csv::StringRecord::new();
     while reader.read_record(&mut row).map_err(|error| translate(file, error, reader.get_ref()))? {
+        check_quotes(file, place(row.position(), reader.get_ref()), reader.get_ref())?;
         for ((text, name), column) in row.iter().zip(&names).zip(&mut values) {
             let number = text.parse().ok().filter(|number: &f64| number.is_finite());
             column.push(number.ok_or_else(|| CommandError::NotANumber {
@@ -62,9 +63,31 @@ fn place<R>(position: Option<&::csv::Position>, source: &CountedLines<R>) -> u64
     source.line(position.map_or(0, ::csv::Position::record))
 }
 
-fn check_header(file: &Path, names: &[String]) -> Result<(), CommandError> {
-    if names.iter().all(String::is_empty) {
+/// Refuses a record, the last one, whose quote never ends: it swallowed the rest of the file.
+fn check_quotes<R>(file: &Path, line: u64, source: &CountedLines<R>) -> Result<(), CommandError> {
+    if source.ended_in_quotes() {
+        return Err(CommandError::OpenQuote { file: file.to_owned(), line });
+    }
+    Ok(())
+}
+
+fn check_header<R>(
+    file: &Path,
+    names: &[String],
+    source: &CountedLines<R>,
+) -> Result<(), CommandError> {
+    if names.is_empty() {
         return Err(CommandError::Empty { file: file.to_owned() });
+    }
+    let line = source.line(0);
+    check_quotes(file, line, source)?;
+    if names.iter().all(String::is_empty) {
+        return Err(CommandError::BlankHeader { file: file.to_owned(), line });
+    }
+    if let [name] = names
+        && let Some(separator) = name.chars().find(|c| matches!(c, ';' | '\t'))
+    {
+        return Err(CommandError::NotCommas { file: file.to_owned(), separator });
     }
     if names.iter().all(|name| name.parse::<f64>().is_ok()) {
         return Err(CommandError::NoHeader { file: file.to_owned() });
@@ -83,6 +106,9 @@ fn check_header(file: &Path, names: &[String]) -> Result<(), CommandError> {
 fn translate<R>(file: &Path, error: ::csv::Error, source: &CountedLines<R>) -> CommandError {
     let file = file.to_owned();
     let line = place(error.position(), source);
+    if source.ended_in_quotes() {
+        return CommandError::OpenQuote { file, line };
+    }
     match error.into_kind() {
         ::csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             CommandError::Ragged { file, line, found: len, expected: expected_len }

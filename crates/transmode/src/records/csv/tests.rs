@@ -25,7 +25,32 @@ fn says_what_is_wrong_and_where() {
     check(b"", "f.csv holds no samples: a header line and rows of numbers are needed");
     check(b"\n\n", "f.csv holds no samples: a header line and rows of numbers are needed");
     check(b"time,beta\n", "f.csv holds no samples: a header line and rows of numbers are needed");
-    check(b"time,beta\n0,1\n0.1\n", "f.csv, line 3: 1 fields, but the header names 2 columns");
+    check(b"time\n0,1\n", "f.csv, line 2: 2 fields, but the header names 1 column");
+    check(
+        b"\n  , \ntime,beta\n0,1\n",
+        "f.csv, line 2: the header should be here, but the line holds no name; remove it if the header is below",
+    );
+    for (separator, shown) in [(";", "';'"), ("\t", "'\\t'")] {
+        check(
+            format!("time{separator}beta\n0{separator}1\n").as_bytes(),
+            &format!(
+                "f.csv: one column only, its name holds {shown}: the fields must be separated by commas; export with commas"
+            ),
+        );
+    }
+    for (text, line) in [
+        ("\ntime,\"beta\n0,1\n", 2),
+        ("time,beta\n0,\"1\n0.1,2\n", 2),
+        ("time,beta\n0,1\n\"0.1,2\n", 3),
+    ] {
+        check(
+            text.as_bytes(),
+            &format!(
+                "f.csv, line {line}: a quote is opened there and never closed; close or remove it"
+            ),
+        );
+    }
+    check(b"time,beta\n0,1\n0.1\n", "f.csv, line 3: 1 field, but the header names 2 columns");
     check(b"time,beta\n0,1,2\n", "f.csv, line 2: 3 fields, but the header names 2 columns");
     check(b"t,t\n0,1\n", "f.csv: column \"t\" is there twice; rename one of them");
     check(
@@ -61,10 +86,24 @@ fn lines_are_those_that_an_editor_shows() {
         let message = parse(&text).unwrap_err().to_string();
         assert!(message.starts_with("f.csv, line 8, column \"beta\""), "{message}");
         let message = parse(&text.replace(",x", "")).unwrap_err().to_string();
-        assert!(message.starts_with("f.csv, line 8: 1 fields"), "{message}");
+        assert!(message.starts_with("f.csv, line 8: 1 field,"), "{message}");
         let repaired = text.replace("0.2,x", "0.2,1");
         let columns = parse(&repaired).unwrap();
         assert_eq!([0, 1, 2].map(|row| columns.line(row)), [4, 7, 8]);
+    }
+    // A line break between quotes ends a line, but no row. A doubled quote stays between them, a quote amid a field opens none.
+    for end in ["\n", "\r\n", "\r"] {
+        let text = format!(
+            "\u{feff}\"time{end}in \"\"s,{end}\"{end}{end}0{end}\"1{end}\"{end}\"2\"{end}3\"4{end}"
+        );
+        let message = parse(&text).unwrap_err().to_string();
+        assert!(
+            message.starts_with("f.csv, line 9, column") && message.contains("3\\\"4"),
+            "{message}"
+        );
+        let repaired = text.replace("3\"4", "3");
+        let columns = parse(&repaired).unwrap();
+        assert_eq!([0, 1, 2, 3].map(|row| columns.line(row)), [5, 6, 8, 9]);
     }
     // Without an end of the last line.
     assert!(parse("t,b\r\n0,1\r\n0,x").unwrap_err().to_string().contains("line 3"));

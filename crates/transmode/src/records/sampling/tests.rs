@@ -24,7 +24,9 @@ fn jitter_is_forgiven_and_gaps_are_named() {
     let check = |change: fn(&mut Vec<f64>), expected: usize| {
         let mut stamps = even(50, 0.1);
         change(&mut stamps);
-        let Some(Sampling::Uneven { index, .. }) = sampling(&stamps) else {
+        let Some(Sampling::Uneven { index, .. } | Sampling::Backward { index, .. }) =
+            sampling(&stamps)
+        else {
             panic!("taken for even");
         };
         assert_eq!(index, expected);
@@ -35,4 +37,23 @@ fn jitter_is_forgiven_and_gaps_are_named() {
     check(|stamps| stamps[7] = stamps[6], 7);
     check(|stamps| stamps.reverse(), 1);
     check(|stamps| stamps.iter_mut().for_each(|t| *t = 3.0), 1);
+}
+
+#[test]
+fn steps_that_are_no_sample_period_are_refused() {
+    let stamps = |step: f64| (0..50).map(|k| f64::from(k) * step).collect::<Vec<_>>();
+    for step in [1e-320, 1e-13, 1e13, 1e300] {
+        let Some(Sampling::OutOfRange { period_s }) = sampling(&stamps(step)) else {
+            panic!("{step} is taken for a period");
+        };
+        assert!((period_s / step - 1.0).abs() < 1e-3, "{period_s} {step}");
+    }
+    for step in [1e-11, 1e11] {
+        assert!(matches!(sampling(&stamps(step)), Some(Sampling::Even { .. })), "{step}");
+    }
+    // The difference overflows.
+    let infinite = sampling(&[-1e308, 1e308]);
+    assert_eq!(infinite, Some(Sampling::OutOfRange { period_s: f64::INFINITY }));
+    assert_eq!(sampling(&[0.2, 0.1]), Some(Sampling::Backward { index: 1, step_s: -0.1 }));
+    assert_eq!(sampling(&[0.2, 0.2]), Some(Sampling::Backward { index: 1, step_s: 0.0 }));
 }
