@@ -98,7 +98,9 @@ fn the_column_of_time_can_be_named() {
         "{}",
         ran.err
     );
-    assert_eq!(transmode(&[&words[..], &["--time", "seconds"]].concat()).exit, Exit::Fine);
+    // Blanks around names are no part of them.
+    let words = ["identify", &renamed[0], &renamed[1], "--outputs", " beta, p ,r"];
+    assert_eq!(transmode(&[&words[..], &["--time", " seconds"]].concat()).exit, Exit::Fine);
 }
 
 #[test]
@@ -137,6 +139,33 @@ fn help_and_version_are_results() {
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
         assert!(!ran.out.is_empty());
     }
+    let first = "Reconstructs the dynamics of a system from sensor records alone";
+    assert!(transmode(&["--help"]).out.starts_with(first));
     assert!(transmode(&["identify", "--help"]).out.contains("Examples:"));
     assert!(transmode(&["--help"]).out.contains("Exit codes: 0"));
+}
+
+/// An output whose reader went away.
+struct Gone;
+
+impl std::io::Write for Gone {
+    fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+        Err(std::io::ErrorKind::BrokenPipe.into())
+    }
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_reader_that_went_away_is_no_fault() {
+    let [aileron, rudder] = noise_free();
+    for words in [
+        &["transmode", "identify", &aileron, &rudder, "--outputs", "beta,p,r"][..],
+        &["transmode", "--help"],
+    ] {
+        let mut err = Vec::new();
+        let exit = transmode::run(words.iter().copied(), &mut Gone, &mut err);
+        assert_eq!((exit, err.as_slice()), (Exit::Fine, &b""[..]), "{words:?}");
+    }
 }

@@ -6,7 +6,7 @@ use clap::{Parser, Subcommand};
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
-#[command(name = "transmode", version, about, arg_required_else_help = true, after_help = AFTER_HELP)]
+#[command(name = "transmode", version, arg_required_else_help = true, after_help = AFTER_HELP)]
 pub(crate) struct Args {
     #[command(subcommand)]
     pub(crate) command: Command,

@@ -15,7 +15,12 @@ use crate::{CommandError, Exit, modes, output};
 
 /// Reads the records, reconstructs the modes and writes them.
 pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
-    let selection = Selection { outputs: args.outputs.clone(), time: args.time.clone() };
+    // The names in a file are trimmed as well.
+    let trimmed = |name: &String| name.trim().to_owned();
+    let selection = Selection {
+        outputs: args.outputs.iter().map(trimmed).collect(),
+        time: args.time.as_ref().map(trimmed),
+    };
     selection.check()?;
     let records = args
         .files

@@ -11,7 +11,7 @@ mod output;
 mod records;
 
 use std::ffi::OsString;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
@@ -22,11 +22,11 @@ pub use output::write_whole;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Exit {
-    /// 0: all is well.
+    /// 0: all is well, or nobody is left to read the result, as with `| head -0`.
     Fine = 0,
     /// 1: there is a result, but it cannot be trusted. The warnings say why.
     Doubtful = 1,
-    /// 2: the command line or a file is at fault. Nothing was written.
+    /// 2: the command line or a file is at fault. No file is left half-written.
     BadInput = 2,
 }
 
@@ -62,18 +62,22 @@ pub fn run<W: Into<OsString> + Clone>(
             } else {
                 (out.write_all(text.as_bytes()), Exit::Fine)
             };
-            return if written.is_ok() { exit } else { Exit::BadInput };
+            return match written {
+                Err(error) if error.kind() != ErrorKind::BrokenPipe => Exit::BadInput,
+                _ => exit,
+            };
         }
     };
     let result = match args.command {
         args::Command::Identify(args) => identify::run(&args, out),
     };
     result.unwrap_or_else(|error| {
-        // A reader that went away, such as `head`, is no reason to complain to it.
-        if !error.is_broken_pipe() {
-            // Nothing is left to be told if even this cannot be written; the exit code says it.
-            let _ = writeln!(err, "error: {error}");
+        // A reader that went away, such as `head`, has what it wanted.
+        if error.is_broken_pipe() {
+            return Exit::Fine;
         }
+        // Nothing is left to be told if even this cannot be written; the exit code says it.
+        let _ = writeln!(err, "error: {error}");
         Exit::BadInput
     })
 }
