@@ -4,7 +4,8 @@
 const INVISIBLE: f64 = 0.05;
 
 pub(super) fn same(a: &str, b: &str) -> bool {
-    let (a, b) = (pieces(a), pieces(b));
+    let (a, b) = (a.replace("\r\n", "\n"), b.replace("\r\n", "\n"));
+    let (a, b) = (pieces(&a), pieces(&b));
     a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a == b || close(a, b))
 }
 
@@ -13,7 +14,7 @@ fn close(a: &str, b: &str) -> bool {
     numbers.is_some_and(|(a, b)| (a - b).abs() < INVISIBLE)
 }
 
-/// Runs of characters that a number may consist of, and the runs between them; line ends do not count.
+/// Runs of characters that a number may consist of, and the runs between them.
 fn pieces(text: &str) -> Vec<&str> {
     let is_numeric = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-');
     let mut pieces = Vec::new();
@@ -22,7 +23,7 @@ fn pieces(text: &str) -> Vec<&str> {
         let numeric = is_numeric(first);
         let end = rest.find(|c| is_numeric(c) != numeric).unwrap_or(rest.len());
         let (piece, tail) = rest.split_at(end);
-        pieces.push(piece.trim_matches(['\r', '\n', ' ']));
+        pieces.push(piece);
         rest = tail;
     }
     pieces
