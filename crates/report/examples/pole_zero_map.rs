@@ -1,13 +1,14 @@
-//! Draws a pole-zero map with a panel near z = 1, and writes it as SVG and PNG into the folder given as argument.
+//! Draws a pole-zero map with a panel near z = 1, and writes it as SVG and PNG into the folder given as argument, or into `target`.
 //!
-//! `cargo run -p report --example pole_zero_map -- FOLDER`
+//! `cargo run -p report --example pole_zero_map [-- FOLDER]`
 
 use report::{Figure, Notes, Panel, Points, png, svg};
 use std::error::Error;
 use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: pole_zero_map FOLDER")?);
+    let folder = PathBuf::from(std::env::args_os().nth(1).unwrap_or_else(|| "target".into()));
+    std::fs::create_dir_all(&folder)?;
     // Zeros and eigenvalues of the lateral motion of an aircraft, sampled at 10 Hz: the eigenvalues are zeros of the
     // difference of two transmissibilities, the other zeros are not.
     let zeros = [(0.9788, 0.1672), (0.9788, -0.1672), (0.9469, 0.0), (0.9998, 0.0), (0.9740, 0.0)];
