@@ -2,7 +2,7 @@
 
 use doubled::DoubleDouble;
 use nalgebra::DMatrix;
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::{
     Gram, HankelError,
@@ -18,9 +18,12 @@ use crate::{
 /// factorisation of X S P to the digits of a double, as long as the condition number stays below the inverse root of [`Gram::rounding`], about 1e14.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cholesky {
-    /// Column-major p x p, lower triangle, rows and columns in pivot order; columns from `rank` on mean nothing.
+    /// Column-major with `stride` rows to a column, lower triangle, rows and columns in pivot order; columns from `found` on and what is above the diagonal
+    /// mean nothing.
     high: Vec<f64>,
     low: Vec<f64>,
+    /// p, rounded up so that a column is a whole number of vectors.
+    stride: usize,
     /// `order[k]` is the column that became the k-th.
     order: Vec<usize>,
     /// Columns that stand above rounding.
@@ -76,14 +79,20 @@ impl Gram {
             })
             .collect();
         let value = |i: usize, j: usize| times(self.at(i, j), power_of_two(-halves[i] - halves[j]));
-        let values: Vec<DoubleDouble> = (0..size)
-            .flat_map(|j| (0..size).map(move |i| (i, j)))
-            .map(|(i, j)| value(i, j))
-            .collect();
-        let norms = (0..size).map(|i| values[i + i * size].value().max(0.0).sqrt()).collect();
+        let stride = size.next_multiple_of(LANES);
+        let mut high = vec![0.0; stride * size];
+        let mut low = vec![0.0; stride * size];
+        for j in 0..size {
+            for i in j..size {
+                let value = value(i, j);
+                (high[i + j * stride], low[i + j * stride]) = (value.high(), value.low());
+            }
+        }
+        let norms = (0..size).map(|i| high[i + i * stride].max(0.0).sqrt()).collect();
         let mut factor = Cholesky {
-            high: values.iter().map(|x| x.high()).collect(),
-            low: values.iter().map(|x| x.low()).collect(),
+            high,
+            low,
+            stride,
             order: (0..size).collect(),
             found: 0,
             singular_values: Vec::new(),
@@ -91,7 +100,7 @@ impl Gram {
             exponents: (0..size).map(|i| self.exponent(i) + halves[i]).collect(),
             norms,
         };
-        Arch::new().dispatch(|| factor.factorise(level));
+        Arch::new().dispatch(Factorise { factor: &mut factor, level });
         factor.singular_values = singular_values(factor.triangle());
         let largest = factor.singular_values.first().copied().unwrap_or(0.0);
         let floor = tolerance.unwrap_or(level) * largest;
@@ -104,7 +113,7 @@ impl Gram {
 impl Cholesky {
     #[inline(always)]
     fn factorise(&mut self, level: f64) {
-        let size = self.order.len();
+        let (size, stride) = (self.order.len(), self.stride);
         for k in 0..size {
             // Ties go to the first, so that the order is that of the columns where nothing speaks against it.
             let (mut pivot, mut largest) = (k, -1.0);
@@ -118,24 +127,26 @@ impl Cholesky {
                 return;
             }
             self.swap(k, pivot);
-            let diagonal =
-                DoubleDouble::sum(self.high[k + k * size], self.low[k + k * size]).sqrt();
+            let diagonal = self.at(k, k).sqrt();
             for i in k + 1..size {
-                let at = i + k * size;
+                let at = i + k * stride;
                 let x = DoubleDouble::sum(self.high[at], self.low[at]) / diagonal;
                 (self.high[at], self.low[at]) = (x.high(), x.low());
             }
-            (self.high[k + k * size], self.low[k + k * size]) = (diagonal.high(), diagonal.low());
+            (self.high[k + k * stride], self.low[k + k * stride]) =
+                (diagonal.high(), diagonal.low());
             self.found += 1;
-            for j in k + 1..size {
-                let (done, rest) = self.high.split_at_mut(j * size);
-                let (done_low, rest_low) = self.low.split_at_mut(j * size);
-                let factor = (done[j + k * size], done_low[j + k * size]);
-                let range = j + k * size..(k + 1) * size;
+            let (done, rest) = self.high.split_at_mut((k + 1) * stride);
+            let (done_low, rest_low) = self.low.split_at_mut((k + 1) * stride);
+            let (done, done_low) = (&done[k * stride..], &done_low[k * stride..]);
+            let columns = rest.chunks_exact_mut(stride).zip(rest_low.chunks_exact_mut(stride));
+            for (j, (high, low)) in (k + 1..).zip(columns) {
+                // Whole vectors: a few values above the diagonal change too, and nobody reads them.
+                let from = j - j % LANES;
                 subtract_multiple(
-                    (&mut rest[j..size], &mut rest_low[j..size]),
-                    (&done[range.clone()], &done_low[range]),
-                    factor,
+                    (&mut high[from..], &mut low[from..]),
+                    (&done[from..], &done_low[from..]),
+                    (done[j], done_low[j]),
                 );
             }
         }
@@ -145,7 +156,7 @@ impl Cholesky {
     #[inline(always)]
     fn sine_squared(&self, i: usize) -> f64 {
         let norm = self.norms[self.order[i]];
-        if norm > 0.0 { self.high[i + i * self.order.len()] / (norm * norm) } else { 0.0 }
+        if norm > 0.0 { self.high[i + i * self.stride] / (norm * norm) } else { 0.0 }
     }
 
     /// Exchanges two columns, and the rows with them: in the factor so far, and in the lower triangle of what is left.
@@ -154,24 +165,24 @@ impl Cholesky {
         if k == pivot {
             return;
         }
-        let size = self.order.len();
+        let (size, stride) = (self.order.len(), self.stride);
         self.order.swap(k, pivot);
         for values in [&mut self.high, &mut self.low] {
             for column in 0..k {
-                values.swap(k + column * size, pivot + column * size);
+                values.swap(k + column * stride, pivot + column * stride);
             }
-            values.swap(k + k * size, pivot + pivot * size);
+            values.swap(k + k * stride, pivot + pivot * stride);
             for between in k + 1..pivot {
-                values.swap(between + k * size, pivot + between * size);
+                values.swap(between + k * stride, pivot + between * stride);
             }
             for row in pivot + 1..size {
-                values.swap(row + k * size, row + pivot * size);
+                values.swap(row + k * stride, row + pivot * stride);
             }
         }
     }
 
     fn at(&self, row: usize, column: usize) -> DoubleDouble {
-        let at = row + column * self.order.len();
+        let at = row + column * self.stride;
         // The parts are those of a normalised number, so that this changes nothing.
         DoubleDouble::sum(self.high[at], self.low[at])
     }
@@ -210,7 +221,7 @@ impl Cholesky {
             let norm = self.norms[*column];
             for k in 0..self.found.min(position + 1) {
                 if norm > 0.0 {
-                    triangle[(k, *column)] = self.high[position + k * self.size()] / norm;
+                    triangle[(k, *column)] = self.high[position + k * self.stride] / norm;
                 }
             }
         }
@@ -244,23 +255,8 @@ impl Cholesky {
     #[must_use]
     pub fn inverse(&self) -> DMatrix<f64> {
         let (size, rank) = (self.size(), self.rank);
-        // Columns of (L')^-1, which give the inverse of the independent columns' part.
         let mut half = DMatrix::zeros(rank, size);
-        for k in 0..rank {
-            let mut unit = vec![0.0; rank];
-            unit[k] = 1.0;
-            for i in k..rank {
-                let pivot = unit[i] / self.high[i + i * size];
-                unit[i] = pivot;
-                let column = &self.high[i * size..i * size + rank];
-                for (x, l) in unit.iter_mut().zip(column).skip(i + 1) {
-                    *x -= pivot * l;
-                }
-            }
-            for i in k..rank {
-                half[(i, self.order[k])] = unit[i] * self.norms[self.order[k]];
-            }
-        }
+        Arch::new().dispatch(Inverse { factor: self, half: &mut half });
         let mut inverse = half.tr_mul(&half);
         if rank < size {
             let null = self.null_directions();
@@ -307,36 +303,16 @@ impl Cholesky {
 
     /// z with L z = b for the columns above rounding, b in pivot order and scaled.
     pub(crate) fn forward(&self, b: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let size = self.size();
         let mut high: Vec<f64> = b[..self.found].iter().map(|b| b.high()).collect();
         let mut low: Vec<f64> = b[..self.found].iter().map(|b| b.low()).collect();
-        Arch::new().dispatch(|| {
-            for k in 0..self.found {
-                let pivot = DoubleDouble::sum(high[k], low[k]) / self.at(k, k);
-                (high[k], low[k]) = (pivot.high(), pivot.low());
-                let range = k + 1 + k * size..self.found + k * size;
-                subtract_multiple(
-                    (&mut high[k + 1..], &mut low[k + 1..]),
-                    (&self.high[range.clone()], &self.low[range]),
-                    (pivot.high(), pivot.low()),
-                );
-            }
-        });
+        Arch::new().dispatch(Forward { factor: self, high: &mut high, low: &mut low });
         high.iter().zip(&low).map(|(high, low)| DoubleDouble::sum(*high, *low)).collect()
     }
 
     /// y with L' y = z for the independent columns, in pivot order.
     pub(crate) fn backward(&self, z: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut y = z[..self.rank].to_vec();
-        Arch::new().dispatch(|| {
-            for k in (0..self.rank).rev() {
-                let mut value = y[k];
-                for (i, later) in y.iter().enumerate().skip(k + 1) {
-                    value -= self.at(i, k) * *later;
-                }
-                y[k] = value / self.at(k, k);
-            }
-        });
+        Arch::new().dispatch(Backward { factor: self, y: &mut y });
         y
     }
 
@@ -368,6 +344,97 @@ impl Cholesky {
     }
 }
 
+/// The loops of the factorisation, with the machine's vectors.
+struct Factorise<'a> {
+    factor: &'a mut Cholesky,
+    level: f64,
+}
+
+impl WithSimd for Factorise<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.factor.factorise(self.level);
+    }
+}
+
+/// Columns of the inverse of the factor, each scaled by the norm of its column.
+struct Inverse<'a> {
+    factor: &'a Cholesky,
+    half: &'a mut DMatrix<f64>,
+}
+
+impl WithSimd for Inverse<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Cholesky { high, order, norms, stride, rank, .. } = self.factor;
+        for k in 0..*rank {
+            let mut column = self.half.column_mut(order[k]);
+            let unit = &mut column.as_mut_slice()[k..];
+            unit[0] = norms[order[k]];
+            for i in k..*rank {
+                let (done, rest) = unit.split_at_mut(i - k + 1);
+                let pivot = done[i - k] / high[i + i * stride];
+                done[i - k] = pivot;
+                let below = &high[i + 1 + i * stride..rank + i * stride];
+                rest.iter_mut().zip(below).for_each(|(x, l)| *x -= pivot * l);
+            }
+        }
+    }
+}
+
+/// Forward substitution in place.
+struct Forward<'a> {
+    factor: &'a Cholesky,
+    high: &'a mut [f64],
+    low: &'a mut [f64],
+}
+
+impl WithSimd for Forward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { factor, high, low } = self;
+        let Cholesky { found, stride, .. } = factor;
+        for k in 0..*found {
+            let pivot = DoubleDouble::sum(high[k], low[k]) / factor.at(k, k);
+            (high[k], low[k]) = (pivot.high(), pivot.low());
+            let range = k + 1 + k * stride..found + k * stride;
+            subtract_multiple(
+                (&mut high[k + 1..], &mut low[k + 1..]),
+                (&factor.high[range.clone()], &factor.low[range]),
+                (pivot.high(), pivot.low()),
+            );
+        }
+    }
+}
+
+/// Backward substitution in place.
+struct Backward<'a> {
+    factor: &'a Cholesky,
+    y: &'a mut [DoubleDouble],
+}
+
+impl WithSimd for Backward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { factor, y } = self;
+        for k in (0..factor.rank).rev() {
+            let mut value = y[k];
+            for (i, later) in y.iter().enumerate().skip(k + 1) {
+                value -= factor.at(i, k) * *later;
+            }
+            y[k] = value / factor.at(k, k);
+        }
+    }
+}
+
 /// Descending, padded with zeros to one for each column.
 fn singular_values(triangle: DMatrix<f64>) -> Vec<f64> {
     let columns = triangle.ncols();
@@ -391,6 +458,9 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::ZERO, |sum, (a, b)| sum + *a * *b)
 }
 
+/// Elements that are worked on together; vectors of every width divide it.
+const LANES: usize = 8;
+
 /// `target -= factor * source`, each in two halves.
 #[inline(always)]
 fn subtract_multiple(
@@ -398,14 +468,25 @@ fn subtract_multiple(
     source: (&[f64], &[f64]),
     factor: (f64, f64),
 ) {
-    let targets = target.0.iter_mut().zip(target.1.iter_mut());
-    for ((high, low), (x, x_low)) in targets.zip(source.0.iter().zip(source.1)) {
+    let step = |high: &mut f64, low: &mut f64, x: f64, x_low: f64| {
         let product = -factor.0 * x;
-        let error = (-factor.0).mul_add(*x, -product) - factor.0.mul_add(*x_low, factor.1 * x);
+        let error = (-factor.0).mul_add(x, -product) - factor.0.mul_add(x_low, factor.1 * x);
         let sum = *high + product;
         let back = sum - *high;
         let rest = ((*high - (sum - back)) + (product - back)) + (*low + error);
         *high = sum + rest;
         *low = rest - (*high - sum);
+    };
+    let (mut high, mut low) = (target.0.chunks_exact_mut(LANES), target.1.chunks_exact_mut(LANES));
+    let (x, x_low) = (source.0.chunks_exact(LANES), source.1.chunks_exact(LANES));
+    let (x_rest, x_low_rest) = (x.remainder(), x_low.remainder());
+    for (((high, low), x), x_low) in high.by_ref().zip(low.by_ref()).zip(x).zip(x_low) {
+        for i in 0..LANES {
+            step(&mut high[i], &mut low[i], x[i], x_low[i]);
+        }
+    }
+    let rest = high.into_remainder().iter_mut().zip(low.into_remainder());
+    for ((high, low), (x, x_low)) in rest.zip(x_rest.iter().zip(x_low_rest)) {
+        step(high, low, *x, *x_low);
     }
 }

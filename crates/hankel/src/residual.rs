@@ -24,7 +24,7 @@ use crate::{
     plan::BLOCK,
     scale::{power_of_two, scaled},
     sums::times,
-    tile::{exponent_of, normalise, scaled_into},
+    tile::normalised,
 };
 
 /// A correction relative to the solution that is rounding.
@@ -256,35 +256,32 @@ impl Bench {
         let window = job.rows + layout.span();
         for (channel, samples) in self.samples.iter_mut().enumerate() {
             let source = &pass.segments[job.segment][channel][job.row..job.row + window];
-            self.exponents[channel] = exponent_of(source, arch);
-            scaled_into(source, -self.exponents[channel].unwrap_or(0), samples, arch);
+            self.exponents[channel] = normalised(source, samples, arch);
             samples[window..].fill(0.0);
         }
         let unit = self.combine(pass, solution, job, arch);
         let squares = sum_of_squares(&self.residual[..job.rows]) * power_of_two(2 * unit);
         let mut gradient = vec![DoubleDouble::ZERO; solution.len()];
-        self.padded[FRONT..FRONT + job.rows].copy_from_slice(&self.residual[..job.rows]);
-        self.add_gradient(pass, job, unit, arch, &mut gradient);
+        let shrunk = normalised(&self.residual[..job.rows], &mut self.padded[FRONT..], arch);
+        self.add_gradient(pass, job, shrunk.map(|shrunk| unit + shrunk), arch, &mut gradient);
         if pass.residual == Residual::InTwoParts {
-            self.padded[FRONT..FRONT + job.rows].copy_from_slice(&self.lost[..job.rows]);
-            self.add_gradient(pass, job, unit, arch, &mut gradient);
+            let shrunk = normalised(&self.lost[..job.rows], &mut self.padded[FRONT..], arch);
+            self.add_gradient(pass, job, shrunk.map(|shrunk| unit + shrunk), arch, &mut gradient);
         }
         Part { squares, gradient }
     }
 
-    /// Adds the products of the padded residual, in units of two to `unit`, with all regressors.
+    /// Adds the products of the padded residual, in units of two to `unit`, with all regressors. Without a unit it is zero.
     fn add_gradient(
         &mut self,
         pass: &Pass<'_>,
         job: &Job,
-        unit: i32,
+        unit: Option<i32>,
         arch: Arch,
         gradient: &mut [DoubleDouble],
     ) {
+        let Some(unit) = unit else { return };
         self.padded[FRONT + job.rows..].fill(0.0);
-        let Some(shrunk) = normalise(&mut self.padded[FRONT..FRONT + job.rows], arch) else {
-            return;
-        };
         for lags in &self.lags {
             let Some(exponent) = self.exponents[lags.channel] else { continue };
             let count = lags.blocks.len() * BLOCK;
@@ -301,7 +298,7 @@ impl Bench {
                 low,
             });
             for (index, sum) in &lags.users {
-                let step = unit + shrunk + exponent - pass.fit.factor.exponent(*index);
+                let step = unit + exponent - pass.fit.factor.exponent(*index);
                 let product = DoubleDouble::sum(self.high[*sum], self.low[*sum]);
                 gradient[*index] += times(product, power_of_two(step));
             }
