@@ -2,7 +2,7 @@
 
 use doubled::DoubleDouble;
 use nalgebra::DMatrix;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Arch;
 
 use crate::{
     Gram, HankelError,
@@ -10,6 +10,10 @@ use crate::{
     sums::times,
     tile::count,
 };
+
+mod null_space;
+mod pivoting;
+mod substitution;
 
 /// `P' S G S P = L L'` of a Gram matrix G = X' X: S scales each column of X to a norm between one and two by a power of two, P puts
 /// the column farthest from those before it next.
@@ -79,7 +83,7 @@ impl Gram {
             })
             .collect();
         let value = |i: usize, j: usize| times(self.at(i, j), power_of_two(-halves[i] - halves[j]));
-        let stride = size.next_multiple_of(LANES);
+        let stride = size.next_multiple_of(pivoting::LANES);
         let mut high = vec![0.0; stride * size];
         let mut low = vec![0.0; stride * size];
         for j in 0..size {
@@ -100,7 +104,7 @@ impl Gram {
             exponents: (0..size).map(|i| self.exponent(i) + halves[i]).collect(),
             norms,
         };
-        Arch::new().dispatch(Factorise { factor: &mut factor, level });
+        Arch::new().dispatch(pivoting::Factorise { factor: &mut factor, level });
         factor.singular_values = singular_values(factor.triangle());
         let largest = factor.singular_values.first().copied().unwrap_or(0.0);
         let floor = tolerance.unwrap_or(level) * largest;
@@ -111,76 +115,6 @@ impl Gram {
 }
 
 impl Cholesky {
-    #[inline(always)]
-    fn factorise(&mut self, level: f64) {
-        let (size, stride) = (self.order.len(), self.stride);
-        for k in 0..size {
-            // Ties go to the first, so that the order is that of the columns where nothing speaks against it.
-            let (mut pivot, mut largest) = (k, -1.0);
-            for i in k..size {
-                let sine = self.sine_squared(i);
-                if sine > largest {
-                    (pivot, largest) = (i, sine);
-                }
-            }
-            if largest <= level * level {
-                return;
-            }
-            self.swap(k, pivot);
-            let diagonal = self.at(k, k).sqrt();
-            for i in k + 1..size {
-                let at = i + k * stride;
-                let x = DoubleDouble::sum(self.high[at], self.low[at]) / diagonal;
-                (self.high[at], self.low[at]) = (x.high(), x.low());
-            }
-            (self.high[k + k * stride], self.low[k + k * stride]) =
-                (diagonal.high(), diagonal.low());
-            self.found += 1;
-            let (done, rest) = self.high.split_at_mut((k + 1) * stride);
-            let (done_low, rest_low) = self.low.split_at_mut((k + 1) * stride);
-            let (done, done_low) = (&done[k * stride..], &done_low[k * stride..]);
-            let columns = rest.chunks_exact_mut(stride).zip(rest_low.chunks_exact_mut(stride));
-            for (j, (high, low)) in (k + 1..).zip(columns) {
-                // Whole vectors: a few values above the diagonal change too, and nobody reads them.
-                let from = j - j % LANES;
-                subtract_multiple(
-                    (&mut high[from..], &mut low[from..]),
-                    (&done[from..], &done_low[from..]),
-                    (done[j], done_low[j]),
-                );
-            }
-        }
-    }
-
-    /// Squared distance of a column from the span of those before, over its squared norm.
-    #[inline(always)]
-    fn sine_squared(&self, i: usize) -> f64 {
-        let norm = self.norms[self.order[i]];
-        if norm > 0.0 { self.high[i + i * self.stride] / (norm * norm) } else { 0.0 }
-    }
-
-    /// Exchanges two columns, and the rows with them: in the factor so far, and in the lower triangle of what is left.
-    #[inline(always)]
-    fn swap(&mut self, k: usize, pivot: usize) {
-        if k == pivot {
-            return;
-        }
-        let (size, stride) = (self.order.len(), self.stride);
-        self.order.swap(k, pivot);
-        for values in [&mut self.high, &mut self.low] {
-            for column in 0..k {
-                values.swap(k + column * stride, pivot + column * stride);
-            }
-            values.swap(k + k * stride, pivot + pivot * stride);
-            for between in k + 1..pivot {
-                values.swap(between + k * stride, pivot + between * stride);
-            }
-            for row in pivot + 1..size {
-                values.swap(row + k * stride, row + pivot * stride);
-            }
-        }
-    }
-
     fn at(&self, row: usize, column: usize) -> DoubleDouble {
         let at = row + column * self.stride;
         // The parts are those of a normalised number, so that this changes nothing.
@@ -249,189 +183,10 @@ impl Cholesky {
         self.norms.iter().copied().zip(self.exponents.iter().copied()).collect()
     }
 
-    /// `(D X' X D)^+`, D scaling each column of X to norm one: p x p, in the order of the layout.
-    ///
-    /// Times the variance of the target's errors, and with D on both sides, it is the covariance of the coefficients of smallest norm.
-    #[must_use]
-    pub fn inverse(&self) -> DMatrix<f64> {
-        let (size, rank) = (self.size(), self.rank);
-        let mut half = DMatrix::zeros(rank, size);
-        Arch::new().dispatch(Inverse { factor: self, half: &mut half });
-        let mut inverse = half.tr_mul(&half);
-        if rank < size {
-            let null = self.null_directions();
-            let rest = DMatrix::identity(size, size) - &null * null.transpose();
-            inverse = &rest * inverse * &rest;
-        }
-        inverse
-    }
-
-    /// Directions of coefficients, in units in which every column has norm one, that change nothing: p x (p - rank), orthonormal.
-    #[must_use]
-    pub fn null_directions(&self) -> DMatrix<f64> {
-        let directions = self.directions();
-        DMatrix::from_fn(self.size(), directions.len(), |i, j| directions[j][i].value())
-    }
-
-    /// The same in doubled precision.
-    pub(crate) fn directions(&self) -> Vec<Vec<DoubleDouble>> {
-        let mut directions: Vec<Vec<DoubleDouble>> = Vec::new();
-        for position in self.rank..self.size() {
-            // A dependent column is a combination of the independent ones.
-            let coordinates: Vec<DoubleDouble> =
-                (0..self.rank).map(|k| self.at(position, k)).collect();
-            let mut direction = vec![DoubleDouble::ZERO; self.size()];
-            for (k, weight) in self.backward(&coordinates).into_iter().enumerate() {
-                let column = self.order[k];
-                direction[column] = -weight * DoubleDouble::from(self.norms[column]);
-            }
-            let column = self.order[position];
-            let norm = if self.norms[column] > 0.0 { self.norms[column] } else { 1.0 };
-            direction[column] = DoubleDouble::from(norm);
-            // Orthonormal to those before, twice to be sure.
-            for _ in 0..2 {
-                for done in &directions {
-                    remove(&mut direction, done);
-                }
-            }
-            let norm = dot(&direction, &direction).sqrt();
-            direction.iter_mut().for_each(|x| *x /= norm);
-            directions.push(direction);
-        }
-        directions
-    }
-
-    /// z with L z = b for the columns above rounding, b in pivot order and scaled.
-    pub(crate) fn forward(&self, b: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut high: Vec<f64> = b[..self.found].iter().map(|b| b.high()).collect();
-        let mut low: Vec<f64> = b[..self.found].iter().map(|b| b.low()).collect();
-        Arch::new().dispatch(Forward { factor: self, high: &mut high, low: &mut low });
-        high.iter().zip(&low).map(|(high, low)| DoubleDouble::sum(*high, *low)).collect()
-    }
-
-    /// y with L' y = z for the independent columns, in pivot order.
-    pub(crate) fn backward(&self, z: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut y = z[..self.rank].to_vec();
-        Arch::new().dispatch(Backward { factor: self, y: &mut y });
-        y
-    }
-
-    /// From the solution for the independent columns, in pivot order, to that of smallest norm in units in which every column has norm one; in the
-    /// order of the layout.
-    pub(crate) fn smallest(&self, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut solution = vec![DoubleDouble::ZERO; self.size()];
-        for (column, value) in self.order.iter().zip(y) {
-            solution[*column] = *value;
-        }
-        if self.rank < self.size() {
-            let norms: Vec<DoubleDouble> =
-                self.norms.iter().map(|norm| DoubleDouble::from(*norm)).collect();
-            solution.iter_mut().zip(&norms).for_each(|(x, norm)| *x *= *norm);
-            for direction in &self.directions() {
-                remove(&mut solution, direction);
-            }
-            for (x, norm) in solution.iter_mut().zip(&norms) {
-                *x = if norm.value() > 0.0 { *x / *norm } else { DoubleDouble::ZERO };
-            }
-        }
-        solution
-    }
-
     /// Norm of a solution in units in which every column has norm one.
     pub(crate) fn scaled_norm(&self, solution: &[f64]) -> f64 {
         let squares = solution.iter().zip(&self.norms).map(|(b, norm)| (b * norm).powi(2));
         squares.sum::<f64>().sqrt()
-    }
-}
-
-/// The loops of the factorisation, with the machine's vectors.
-struct Factorise<'a> {
-    factor: &'a mut Cholesky,
-    level: f64,
-}
-
-impl WithSimd for Factorise<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.factor.factorise(self.level);
-    }
-}
-
-/// Columns of the inverse of the factor, each scaled by the norm of its column.
-struct Inverse<'a> {
-    factor: &'a Cholesky,
-    half: &'a mut DMatrix<f64>,
-}
-
-impl WithSimd for Inverse<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let Cholesky { high, order, norms, stride, rank, .. } = self.factor;
-        for k in 0..*rank {
-            let mut column = self.half.column_mut(order[k]);
-            let unit = &mut column.as_mut_slice()[k..];
-            unit[0] = norms[order[k]];
-            for i in k..*rank {
-                let (done, rest) = unit.split_at_mut(i - k + 1);
-                let pivot = done[i - k] / high[i + i * stride];
-                done[i - k] = pivot;
-                let below = &high[i + 1 + i * stride..rank + i * stride];
-                rest.iter_mut().zip(below).for_each(|(x, l)| *x -= pivot * l);
-            }
-        }
-    }
-}
-
-/// Forward substitution in place.
-struct Forward<'a> {
-    factor: &'a Cholesky,
-    high: &'a mut [f64],
-    low: &'a mut [f64],
-}
-
-impl WithSimd for Forward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let Self { factor, high, low } = self;
-        let Cholesky { found, stride, .. } = factor;
-        for k in 0..*found {
-            let pivot = DoubleDouble::sum(high[k], low[k]) / factor.at(k, k);
-            (high[k], low[k]) = (pivot.high(), pivot.low());
-            let range = k + 1 + k * stride..found + k * stride;
-            subtract_multiple(
-                (&mut high[k + 1..], &mut low[k + 1..]),
-                (&factor.high[range.clone()], &factor.low[range]),
-                (pivot.high(), pivot.low()),
-            );
-        }
-    }
-}
-
-/// Backward substitution in place.
-struct Backward<'a> {
-    factor: &'a Cholesky,
-    y: &'a mut [DoubleDouble],
-}
-
-impl WithSimd for Backward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let Self { factor, y } = self;
-        for k in (0..factor.rank).rev() {
-            let mut value = y[k];
-            for (i, later) in y.iter().enumerate().skip(k + 1) {
-                value -= factor.at(i, k) * *later;
-            }
-            y[k] = value / factor.at(k, k);
-        }
     }
 }
 
@@ -446,47 +201,4 @@ fn singular_values(triangle: DMatrix<f64>) -> Vec<f64> {
     values.sort_by(|a, b| b.total_cmp(a));
     values.resize(columns, 0.0);
     values
-}
-
-/// Removes the part along a direction of norm one.
-fn remove(vector: &mut [DoubleDouble], direction: &[DoubleDouble]) {
-    let part = dot(vector, direction);
-    vector.iter_mut().zip(direction).for_each(|(x, d)| *x -= part * *d);
-}
-
-fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
-    a.iter().zip(b).fold(DoubleDouble::ZERO, |sum, (a, b)| sum + *a * *b)
-}
-
-/// Elements that are worked on together; vectors of every width divide it.
-const LANES: usize = 8;
-
-/// `target -= factor * source`, each in two halves.
-#[inline(always)]
-fn subtract_multiple(
-    target: (&mut [f64], &mut [f64]),
-    source: (&[f64], &[f64]),
-    factor: (f64, f64),
-) {
-    let step = |high: &mut f64, low: &mut f64, x: f64, x_low: f64| {
-        let product = -factor.0 * x;
-        let error = (-factor.0).mul_add(x, -product) - factor.0.mul_add(x_low, factor.1 * x);
-        let sum = *high + product;
-        let back = sum - *high;
-        let rest = ((*high - (sum - back)) + (product - back)) + (*low + error);
-        *high = sum + rest;
-        *low = rest - (*high - sum);
-    };
-    let (mut high, mut low) = (target.0.chunks_exact_mut(LANES), target.1.chunks_exact_mut(LANES));
-    let (x, x_low) = (source.0.chunks_exact(LANES), source.1.chunks_exact(LANES));
-    let (x_rest, x_low_rest) = (x.remainder(), x_low.remainder());
-    for (((high, low), x), x_low) in high.by_ref().zip(low.by_ref()).zip(x).zip(x_low) {
-        for i in 0..LANES {
-            step(&mut high[i], &mut low[i], x[i], x_low[i]);
-        }
-    }
-    let rest = high.into_remainder().iter_mut().zip(low.into_remainder());
-    for ((high, low), (x, x_low)) in rest.zip(x_rest.iter().zip(x_low_rest)) {
-        step(high, low, *x, *x_low);
-    }
 }
