@@ -1,0 +1,213 @@
+//! Group 2: how many digits the Gram matrix costs, held against Householder QR and against exact solutions.
+
+use num_complex::Complex;
+use poly::{MrootsOptions, Poly, mroots};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use report::{Block, Column, Table};
+
+use super::ours::{self, How, LRD, PAPER};
+use super::peers::Answer;
+use super::records::{self, Excitation};
+use super::row::{Asked, Row, asked_and_reached, small, times};
+use super::{Bench, Group, exact};
+use crate::TaskError;
+use crate::reproduce::reference;
+
+const PART: &str = "accuracy";
+
+/// Samples of the noise-free records.
+const SAMPLES: usize = 100_000;
+
+/// What is compared, in this order.
+const HOW: [(&str, How); 3] =
+    [("Gram", How::Gram { threads: 1 }), ("QR", How::PlainQr), ("QR, refined", How::RefinedQr)];
+
+/// Errors below the rounding unit are luck.
+fn at_least_rounding(error: f64) -> f64 {
+    error.max(f64::EPSILON)
+}
+
+pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
+    let mut blocks = aircraft(bench)?;
+    blocks.extend(planted(bench)?);
+    Ok(Group {
+        title: "Accuracy",
+        introduction: "QR is our Householder QR without its refinement, which is what other libraries offer; the refined one corrects its solution against the data with residuals \
+                       in doubled precision. Ratios count errors below the rounding unit as one unit."
+            .to_owned(),
+        blocks,
+    })
+}
+
+/// Roots of D from noise-free records of the aircraft.
+fn aircraft(bench: &Bench) -> Result<Vec<Block>, TaskError> {
+    let header = ["record", "sensor", "Gram", "QR", "QR, refined", "numpy lstsq", "numpy Gram"];
+    let mut table = Table::new(
+        "Noise-free aircraft, N = 1e5: largest relative error of the roots of D",
+        header
+            .iter()
+            .enumerate()
+            .map(|(i, name)| if i < 2 { Column::left(*name) } else { Column::right(*name) }),
+    );
+    let (mut worst, mut worst_ratio) = (0.0_f64, 0.0_f64);
+    for excitation in Excitation::ALL {
+        bench.say(format!("accuracy: noise-free, {}", excitation.name()));
+        let channels = records::record(excitation, SAMPLES)?;
+        let truth = reference::roots(&format!(
+            "/aircraft/as_printed/zeros_sideslip_{}",
+            excitation.name()
+        ))?;
+        for (output, sensor) in [(1, "roll rate"), (2, "yaw rate")] {
+            let mut errors = Vec::new();
+            for (_, how) in HOW {
+                let fit = ours::fit(&channels[0], &channels[output], PAPER, how)?;
+                errors.push(roots_error(&fit.model.denominator(), &truth)?);
+            }
+            worst = worst.max(errors[0]);
+            worst_ratio =
+                worst_ratio.max(at_least_rounding(errors[0]) / at_least_rounding(errors[1]));
+            let mut cells = vec![excitation.name().to_owned(), sensor.to_owned()];
+            cells.extend(errors.into_iter().map(small));
+            let pair = [channels[0].clone(), channels[output].clone()];
+            let files = records::write(bench.folder.path(), "accuracy", &pair)?;
+            for task in ["lstsq", "gram"] {
+                let samples = SAMPLES.to_string();
+                let answer =
+                    bench.peers.run(&[task, &samples, "4", "25", "25", "1", &files[0], &files[1]]);
+                cells.push(peer_error(&answer, &truth)?);
+            }
+            table.push(cells).map_err(TaskError::computation(PART))?;
+        }
+    }
+    let rows = [
+        Row::new("roots of D, relative error, Gram", Asked::AtMost(1e-9), worst, small),
+        Row::new("the same, over QR's", Asked::AtMost(10.0), worst_ratio, times),
+    ];
+    Ok(vec![asked_and_reached("Noise-free aircraft: asked and reached", &rows)?, table.into()])
+}
+
+fn peer_error(answer: &Answer, truth: &[Complex<f64>]) -> Result<String, TaskError> {
+    let Answer::Measured { theta, .. } = answer else {
+        return Ok("-".to_owned());
+    };
+    // theta starts with c_1 .. c_(l-1); D has no constant term and the leading coefficient 1.
+    let [l, ..] = PAPER;
+    let unknown = theta.iter().copied().take(l - 1);
+    let denominator: Vec<f64> = std::iter::once(0.0).chain(unknown).chain([1.0]).collect();
+    roots_error(&denominator, truth).map(small)
+}
+
+/// The largest relative distance of a true zero from the closest root of D.
+fn roots_error(denominator: &[f64], truth: &[Complex<f64>]) -> Result<f64, TaskError> {
+    let roots = mroots(&Poly::new(denominator.to_vec()), &MrootsOptions::default())
+        .map_err(TaskError::computation(PART))?
+        .values();
+    let error = |z: &Complex<f64>| {
+        roots.iter().map(|root| (root - z).norm() / z.norm()).fold(f64::INFINITY, f64::min)
+    };
+    Ok(truth.iter().map(error).fold(0.0, f64::max))
+}
+
+/// Orders of the planted family: 21 Markov parameters, no denominator.
+const PLANTED: LRD = [0, 10, 10];
+/// Samples of the planted family: short, since the exact solution is computed with integers.
+const PLANTED_SAMPLES: usize = 1000;
+/// Condition numbers to plant, as powers of ten.
+const POWERS: std::ops::RangeInclusive<i32> = 2..=12;
+/// Parts of the target that the model cannot explain, rms over rms.
+const UNEXPLAINED: [f64; 2] = [0.0, 1e-3];
+
+/// A slow wave with a little white noise on it: its shifted copies are as dependent as the noise is small. Errors of the parameters against
+/// the exact solution for the doubles given.
+fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
+    let header =
+        ["planted condition", "unexplained", "condition found", "Gram", "QR", "QR, refined"];
+    let mut table = Table::new(
+        "Planted condition: relative error of the parameters",
+        header.map(Column::right),
+    );
+    let mut rows = Vec::new();
+    for unexplained in UNEXPLAINED {
+        let mut worst_ratio = 0.0_f64;
+        for power in POWERS {
+            bench.say(format!("accuracy: condition 1e{power}"));
+            let [input, output] = planted_record(10.0_f64.powi(power), unexplained);
+            let truth = exact_solution(&input, &output)?;
+            let (mut errors, mut condition) = (Vec::new(), f64::NAN);
+            for (_, how) in HOW {
+                let fit = ours::fit(&input, &output, PLANTED, how)?;
+                errors.push(distance(&fit.model.theta(), &truth));
+                if how == How::RefinedQr {
+                    condition = fit.condition;
+                }
+            }
+            worst_ratio =
+                worst_ratio.max(at_least_rounding(errors[0]) / at_least_rounding(errors[1]));
+            let mut cells = vec![format!("1e{power}"), small(unexplained), small(condition)];
+            cells.extend(errors.into_iter().map(small));
+            table.push(cells).map_err(TaskError::computation(PART))?;
+        }
+        let what =
+            format!("error over QR's, worst of all conditions, {} unexplained", small(unexplained));
+        rows.push(Row::new(what, Asked::AtMost(10.0), worst_ratio, times));
+    }
+    Ok(vec![
+        Block::paragraph(
+            "The input is a slow cosine with white noise of a planted size on it, so that its 21 shifted copies are nearly dependent; the output is a sum of them with random \
+             coefficients, with and without a part that no coefficients explain. The reference is the least-squares solution for these very doubles, computed with integers \
+             and rounded once.",
+        ),
+        asked_and_reached("Planted condition: asked and reached", &rows)?,
+        table.into(),
+    ])
+}
+
+/// Input and output whose regressors have about this condition number.
+///
+/// The cosine's shifted copies span two dimensions with singular values of about sqrt(p N) / 2 each, the noise's p dimensions with
+/// e sqrt(N) each: the condition is sqrt(p) / (2 e).
+fn planted_record(condition: f64, unexplained: f64) -> [Vec<f64>; 2] {
+    let [_, r, d] = PLANTED;
+    let mut random = ChaCha8Rng::seed_from_u64(4);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+    let parameters = f64::from(u32::try_from(r + d + 1).unwrap_or(u32::MAX));
+    let noise = parameters.sqrt() / (2.0 * condition);
+    let input: Vec<f64> = (0..PLANTED_SAMPLES)
+        .map(|k| (0.1 * f64::from(u32::try_from(k).unwrap_or(u32::MAX))).cos() + noise * normal())
+        .collect();
+    let coefficients: Vec<f64> = (0..=r + d).map(|_| normal()).collect();
+    let clean: Vec<f64> = (0..PLANTED_SAMPLES)
+        .map(|k| {
+            let term =
+                |(i, h): (usize, &f64)| input.get((k + d).wrapping_sub(i)).map_or(0.0, |x| h * x);
+            coefficients.iter().enumerate().map(term).sum()
+        })
+        .collect();
+    let square: f64 = clean.iter().map(|y| y * y).sum();
+    let rms = (square / clean.iter().map(|_| 1.0).sum::<f64>()).sqrt();
+    let output = clean.into_iter().map(|y| y + unexplained * rms * normal()).collect();
+    [input, output]
+}
+
+/// h_-d .. h_r without rounding errors.
+fn exact_solution(input: &[f64], output: &[f64]) -> Result<Vec<f64>, TaskError> {
+    let [_, r, d] = PLANTED;
+    let rows = input.len() - r - d;
+    // Rows k = r .. N - 1 - d; h_i goes with y_i(k - i), the farthest future first.
+    let columns: Vec<&[f64]> = (0..=r + d).map(|i| &input[r + d - i..r + d - i + rows]).collect();
+    exact::least_squares(&columns, &output[r..r + rows]).ok_or_else(|| TaskError::Computation {
+        part: PART,
+        message: "the planted columns are dependent".to_owned(),
+    })
+}
+
+/// Relative, in the 2-norm.
+fn distance(found: &[f64], truth: &[f64]) -> f64 {
+    let square = |values: &mut dyn Iterator<Item = f64>| values.map(|x| x * x).sum::<f64>().sqrt();
+    square(&mut found.iter().zip(truth).map(|(a, b)| a - b)) / square(&mut truth.iter().copied())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+"""One measurement of a peer, printed as one line of JSON.
+
+    peers.py versions
+    peers.py lstsq|gelsy|gram SAMPLES L R D RUNS INPUT OUTPUT
+    peers.py ib01ad-M|ib01ad-N SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
+
+INPUT, OUTPUT and CHANNEL are files of raw little-endian doubles. Only the solver is timed: the regressors are built before. The answer is
+{"seconds": [..], "theta": [..]} or {"unavailable": "why"}; the caller limits the threads by the environment.
+"""
+
+import json
+import sys
+import time
+
+
+def read(file, samples):
+    import numpy
+
+    signal = numpy.fromfile(file, dtype="<f8", count=samples)
+    if len(signal) != samples:
+        raise ValueError(f"{file} holds {len(signal)} samples, {samples} are needed")
+    return signal
+
+
+def regressors(samples, l, r, d, y_i, y_o):
+    """-y_o(k+i) for i = 1 .. l-1, y_i(k-i) for i = -d .. r, and the target y_o(k+l); column-major, as LAPACK wants it."""
+    import numpy
+
+    first, last = r, samples - max(l, d)
+    a = numpy.empty((last - first, l - 1 + r + d + 1), order="F")
+    for column, i in enumerate(range(1, l)):
+        a[:, column] = -y_o[first + i : last + i]
+    for column, i in enumerate(range(-d, r + 1), start=l - 1):
+        a[:, column] = y_i[first - i : last - i]
+    return a, y_o[first + l : last + l].copy()
+
+
+def lstsq(a, b):
+    import numpy
+
+    return numpy.linalg.lstsq(a, b, rcond=None)[0]
+
+
+def gelsy(a, b):
+    import scipy.linalg
+
+    return scipy.linalg.lstsq(a, b, lapack_driver="gelsy", check_finite=False)[0]
+
+
+def gram(a, b):
+    import scipy.linalg
+
+    return scipy.linalg.cho_solve(scipy.linalg.cho_factor(a.T @ a), a.T @ b)
+
+
+def timed(runs, work):
+    answer, seconds = None, []
+    for _ in range(runs + 1):
+        start = time.perf_counter()
+        answer = work()
+        seconds.append(time.perf_counter() - start)
+    return answer, seconds[1:]  # the first one warms up
+
+
+def least_squares(solve, samples, l, r, d, runs, y_i, y_o):
+    samples, l, r, d = int(samples), int(l), int(r), int(d)
+    a, b = regressors(samples, l, r, d, read(y_i, samples), read(y_o, samples))
+    theta, seconds = timed(int(runs), lambda: solve(a, b))
+    return {"seconds": seconds, "theta": [float(x) for x in theta]}
+
+
+def ib01ad(meth, samples, block_rows, algorithm, runs, *channels):
+    import ctrlsys
+    import numpy
+
+    # SLICOT's Hankel matrix has 2 * nobr block rows, and without inputs nothing but the outputs.
+    y = numpy.asfortranarray(numpy.stack([read(file, int(samples)) for file in channels], axis=1))
+    u = numpy.zeros((int(samples), 0), order="F")
+    nobr, outputs = int(block_rows) // 2, len(channels)
+    work = lambda: ctrlsys.ib01ad(meth, algorithm, "N", "O", "N", "N", nobr, 0, outputs, u, y, 0.0, -1.0)
+    answer, seconds = timed(int(runs), work)
+    warning, info = answer[-2:]
+    if info != 0:
+        raise ValueError(f"IB01AD returns info = {info}")
+    # A warning of 2 says that the fast algorithm failed and that the slow one was used.
+    return {"seconds": seconds, "warning": int(warning)}
+
+
+def versions():
+    found = {"Python": sys.version.split()[0]}
+    for name in ["numpy", "scipy", "ctrlsys"]:
+        try:
+            found[name] = __import__(name).__version__
+        except ImportError:
+            pass
+    try:
+        import numpy
+
+        blas = numpy.show_config(mode="dicts")["Build Dependencies"]["blas"]
+        found[blas["name"]] = blas["version"]
+    except (ImportError, KeyError, TypeError):
+        pass
+    return {"versions": found}
+
+
+def main(task, *arguments):
+    if task == "versions":
+        return versions()
+    if task.startswith("ib01ad-"):
+        return ib01ad(task[-1], *arguments)
+    return least_squares({"lstsq": lstsq, "gelsy": gelsy, "gram": gram}[task], *arguments)
+
+
+if __name__ == "__main__":
+    try:
+        result = main(*sys.argv[1:])
+    except (ImportError, MemoryError, ValueError) as error:
+        result = {"unavailable": f"{type(error).__name__}: {error}"}
+    print(json.dumps(result))
