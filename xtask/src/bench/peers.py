@@ -2,7 +2,8 @@
 
     peers.py versions
     peers.py lstsq|gelsy|gram SAMPLES L R D RUNS INPUT OUTPUT
-    peers.py ib01ad-M|ib01ad-N SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
+    peers.py ib01ad SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
+    peers.py ib01md-blocks SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
 
 INPUT, OUTPUT and CHANNEL are files of raw little-endian doubles. Only the solver is timed: the regressors are built before. The answer is
 {"seconds": [..], "theta": [..]} or {"unavailable": "why"}; the caller limits the threads by the environment.
@@ -69,19 +70,51 @@ def least_squares(solve, samples, l, r, d, runs, y_i, y_o):
     return {"seconds": seconds, "theta": [float(x) for x in theta]}
 
 
-def ib01ad(meth, samples, block_rows, algorithm, runs, *channels):
+def signals(samples, channels):
+    """Outputs in columns, and no inputs."""
+    import numpy
+
+    y = numpy.asfortranarray(numpy.stack([read(file, samples) for file in channels], axis=1))
+    return numpy.zeros((samples, 0), order="F"), y
+
+
+def ib01ad(samples, block_rows, algorithm, runs, *channels):
+    """MOESP's preprocessing and order estimation, with the whole record in one call."""
+    import ctrlsys
+
+    u, y = signals(int(samples), channels)
+    nobr = int(block_rows) // 2  # SLICOT's Hankel matrix has 2 * nobr block rows
+    work = lambda: ctrlsys.ib01ad("M", algorithm, "N", "O", "N", "N", nobr, 0, len(channels), u, y, 0.0, -1.0)
+    answer, seconds = timed(int(runs), work)
+    return judged(seconds, *answer[-2:])
+
+
+def ib01md_blocks(samples, block_rows, algorithm, runs, *channels):
+    """The triangular factor alone, with the record in blocks that stay in the cache; no row reaches across their seams."""
     import ctrlsys
     import numpy
 
-    # SLICOT's Hankel matrix has 2 * nobr block rows, and without inputs nothing but the outputs.
-    y = numpy.asfortranarray(numpy.stack([read(file, int(samples)) for file in channels], axis=1))
-    u = numpy.zeros((int(samples), 0), order="F")
-    nobr, outputs = int(block_rows) // 2, len(channels)
-    work = lambda: ctrlsys.ib01ad(meth, algorithm, "N", "O", "N", "N", nobr, 0, outputs, u, y, 0.0, -1.0)
+    size = 20_000
+    samples, nobr, outputs = int(samples), int(block_rows) // 2, len(channels)
+    u, y = signals(samples, channels)
+    parts = [(u[k : k + size], numpy.asfortranarray(y[k : k + size])) for k in range(0, samples, size)]
+
+    def work():
+        state = ()
+        for index, part in enumerate(parts):
+            batch = "F" if index == 0 else "L" if index == len(parts) - 1 else "I"
+            *state, warning, info = ctrlsys.ib01md("M", algorithm, batch, "N", nobr, 0, outputs, *part, *state)
+            if info != 0:
+                break
+        return warning, info
+
     answer, seconds = timed(int(runs), work)
-    warning, info = answer[-2:]
+    return judged(seconds, *answer)
+
+
+def judged(seconds, warning, info):
     if info != 0:
-        raise ValueError(f"IB01AD returns info = {info}")
+        raise ValueError(f"SLICOT returns info = {info}")
     # A warning of 2 says that the fast algorithm failed and that the slow one was used.
     return {"seconds": seconds, "warning": int(warning)}
 
@@ -103,12 +136,16 @@ def versions():
     return {"versions": found}
 
 
+LEAST_SQUARES = {"lstsq": lstsq, "gelsy": gelsy, "gram": gram}
+SUBSPACE = {"ib01ad": ib01ad, "ib01md-blocks": ib01md_blocks}
+
+
 def main(task, *arguments):
     if task == "versions":
         return versions()
-    if task.startswith("ib01ad-"):
-        return ib01ad(task[-1], *arguments)
-    return least_squares({"lstsq": lstsq, "gelsy": gelsy, "gram": gram}[task], *arguments)
+    if task in SUBSPACE:
+        return SUBSPACE[task](*arguments)
+    return least_squares(LEAST_SQUARES[task], *arguments)
 
 
 if __name__ == "__main__":
