@@ -145,12 +145,12 @@ fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
             }
             worst_ratio =
                 worst_ratio.max(at_least_rounding(errors[0]) / at_least_rounding(errors[1]));
-            let mut cells = vec![format!("1e{power}"), small(unexplained), small(condition)];
+            let mut cells =
+                vec![format!("1e{power}"), format!("{unexplained:e}"), small(condition)];
             cells.extend(errors.into_iter().map(small));
             table.push(cells).map_err(TaskError::computation(PART))?;
         }
-        let what =
-            format!("error over QR's, worst of all conditions, {} unexplained", small(unexplained));
+        let what = format!("error over QR's, worst of all conditions, {unexplained:e} unexplained");
         rows.push(Row::new(what, Asked::AtMost(10.0), worst_ratio, times));
     }
     Ok(vec![

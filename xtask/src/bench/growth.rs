@@ -1,6 +1,8 @@
 //! Group 3: how time and memory grow with the number of samples and of regressors.
 
-use report::{Axis, Block, Column, Dash, Figure, Line, Marker, Panel, Table, format_significant};
+use report::{
+    Axis, Block, Column, Dash, Figure, Ink, Line, Marker, Panel, Table, format_significant,
+};
 
 use super::machine::free_bytes;
 use super::ours::{self, How, LRD, PAPER};
@@ -28,15 +30,47 @@ const COLUMNS_LENGTH: usize = 100_000;
 /// More regressors than this take a peer too long.
 const PEER_REACH: usize = 100;
 
+/// What is drawn; it looks the same in both figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Who {
+    Gram,
+    Fit,
+    Streamed,
+    Lstsq,
+    PlainGram,
+}
+
+impl Who {
+    fn label(self) -> &'static str {
+        match self {
+            Self::Gram => "Gram matrix, 1 thread",
+            Self::Fit => "fit, 1 thread",
+            Self::Streamed => "fit streamed from disk, 1 thread",
+            Self::Lstsq => "numpy.linalg.lstsq",
+            Self::PlainGram => "numpy Gram and Cholesky",
+        }
+    }
+
+    fn style(self) -> (Ink, Dash, Marker) {
+        match self {
+            Self::Gram => (Ink::Blue, Dash::Solid, Marker::Circle),
+            Self::Fit => (Ink::Vermillion, Dash::Dashed, Marker::Square),
+            Self::Streamed => (Ink::Green, Dash::DashDot, Marker::Diamond),
+            Self::Lstsq => (Ink::Purple, Dash::Dotted, Marker::Triangle),
+            Self::PlainGram => (Ink::Orange, Dash::LongDash, Marker::TriangleDown),
+        }
+    }
+}
+
 /// One line of a figure.
 struct Curve {
-    label: &'static str,
+    who: Who,
     points: Vec<(f64, f64)>,
 }
 
 impl Curve {
-    fn new(label: &'static str) -> Self {
-        Self { label, points: Vec::new() }
+    fn new(who: Who) -> Self {
+        Self { who, points: Vec::new() }
     }
 
     fn push(&mut self, x: usize, timing: &Timing) {
@@ -64,11 +98,11 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
 fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let layout = ours::cfi_layout(PAPER)?;
     let mut curves = [
-        Curve::new("Gram matrix, 1 thread"),
-        Curve::new("fit, 1 thread"),
-        Curve::new("fit streamed from disk, 1 thread"),
-        Curve::new("numpy.linalg.lstsq"),
-        Curve::new("numpy Gram and Cholesky"),
+        Curve::new(Who::Gram),
+        Curve::new(Who::Fit),
+        Curve::new(Who::Streamed),
+        Curve::new(Who::Lstsq),
+        Curve::new(Who::PlainGram),
     ];
     let [gram, fit, streamed, lstsq, plain] = &mut curves;
     for samples in LENGTHS {
@@ -118,7 +152,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     );
     Ok(vec![
         asked_and_reached("Growth with the number of samples: asked and reached", &rows)?,
-        curve_table("Median times against N", "N", &curves, power)?,
+        curve_table("Median times against N", "N", &curves)?,
         memory_table(&peaks)?,
         figure.into(),
     ])
@@ -128,10 +162,10 @@ fn with_columns(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let channels = records::with_noise(records::record(Excitation::Aileron, COLUMNS_LENGTH)?);
     let record = [channels[0].as_slice(), channels[1].as_slice()];
     let mut curves = [
-        Curve::new("Gram matrix, 1 thread"),
-        Curve::new("fit, 1 thread"),
-        Curve::new("numpy.linalg.lstsq"),
-        Curve::new("numpy Gram and Cholesky"),
+        Curve::new(Who::Gram),
+        Curve::new(Who::Fit),
+        Curve::new(Who::Lstsq),
+        Curve::new(Who::PlainGram),
     ];
     let [gram, fit, lstsq, plain] = &mut curves;
     for reach in REACHES {
@@ -165,7 +199,7 @@ fn with_columns(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     );
     Ok(vec![
         asked_and_reached("Growth with the number of regressors: asked and reached", &rows)?,
-        curve_table("Median times against p", "p", &curves, |p| p.to_string())?,
+        curve_table("Median times against p", "p", &curves)?,
         figure.into(),
     ])
 }
@@ -217,14 +251,19 @@ fn stream_one(bench: &Bench, samples: usize) -> Result<Result<Streamed, String>,
 }
 
 fn slope_row(what: &str, curve: &Curve, asked: Asked) -> Row {
-    let (first, last) = (curve.points.first(), curve.points.last());
-    let range = first.zip(last).map_or_else(String::new, |(first, last)| {
-        format!(", from {} to {}", format_significant(first.0, 1), format_significant(last.0, 1))
+    let ends = curve.points.first().zip(curve.points.last());
+    let range = ends.map_or_else(String::new, |(first, last)| {
+        format!(", from {} to {}", show_place(whole(first.0)), show_place(whole(last.0)))
     });
     match log_log_slope(&curve.points) {
         Some(slope) => Row::new(format!("{what}{range}"), asked, slope, |x| format!("{x:.2}")),
         None => Row::unknown(what, "a slope", "fewer than two points"),
     }
+}
+
+/// Large counts as powers of ten, small ones in full.
+fn show_place(count: usize) -> String {
+    if count < 10_000 { count.to_string() } else { power(count) }
 }
 
 fn memory_row(peaks: &[(usize, u64)]) -> Row {
@@ -256,20 +295,16 @@ fn memory_table(peaks: &[(usize, u64)]) -> Result<Block, TaskError> {
 }
 
 /// One row for each place, one column for each curve.
-fn curve_table(
-    title: &str,
-    first: &str,
-    curves: &[Curve],
-    show: impl Fn(usize) -> String,
-) -> Result<Block, TaskError> {
+fn curve_table(title: &str, first: &str, curves: &[Curve]) -> Result<Block, TaskError> {
     let present: Vec<&Curve> = curves.iter().filter(|curve| !curve.points.is_empty()).collect();
-    let header =
-        std::iter::once(first).chain(present.iter().map(|curve| curve.label)).map(Column::right);
+    let header = std::iter::once(first)
+        .chain(present.iter().map(|curve| curve.who.label()))
+        .map(Column::right);
     let mut table = Table::new(title, header);
     let all: std::collections::BTreeSet<usize> =
         present.iter().flat_map(|curve| curve.points.iter().map(|point| whole(point.0))).collect();
     for place in all {
-        let mut cells = vec![show(place)];
+        let mut cells = vec![show_place(place)];
         for curve in &present {
             let point = curve.points.iter().find(|point| whole(point.0) == place);
             cells.push(point.map_or_else(|| "-".to_owned(), |point| show_seconds(point.1)));
@@ -280,18 +315,11 @@ fn curve_table(
 }
 
 fn figure(id: &str, title: &str, caption: &str, x: &str, curves: &[Curve]) -> Figure {
-    const STYLES: [(Dash, Marker); 5] = [
-        (Dash::Solid, Marker::Circle),
-        (Dash::Dashed, Marker::Square),
-        (Dash::DashDot, Marker::Diamond),
-        (Dash::Dotted, Marker::Triangle),
-        (Dash::LongDash, Marker::TriangleDown),
-    ];
     let mut panel = Panel::new("", Axis::log(x), Axis::log("time (s)"));
-    for (curve, (dash, marker)) in curves.iter().zip(STYLES) {
-        if !curve.points.is_empty() {
-            panel = panel.with(Line::new(curve.label, dash, curve.points.clone()).marker(marker));
-        }
+    for curve in curves.iter().filter(|curve| !curve.points.is_empty()) {
+        let (ink, dash, marker) = curve.who.style();
+        let line = Line::new(curve.who.label(), dash, curve.points.clone());
+        panel = panel.with(line.ink(ink).marker(marker));
     }
     Figure::new(id, title, caption).with(panel)
 }

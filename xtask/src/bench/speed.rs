@@ -14,7 +14,7 @@ use crate::TaskError;
 
 const SAMPLES: usize = 1_000_000;
 /// faer's QR of a tall matrix takes minutes at the full length.
-const FAER_SAMPLES: usize = 100_000;
+const FAER_SAMPLES: usize = 1_000_000;
 /// Block rows of the Hankel matrices; with three channels 60 and 120 rows.
 const BLOCK_ROWS: [usize; 2] = [20, 40];
 
@@ -157,7 +157,10 @@ fn block_hankel(bench: &Bench, noisy: &Channels) -> Result<Vec<Block>, TaskError
             rows.push(TimeRow::peer(what, answer, slicot_remark(answer, block_rows)));
         }
         let what = format!("IB01MD in blocks, {block_rows} block rows");
-        let remark = format!("{}; the factor alone, plain double precision", slicot_remark(&pieces, block_rows));
+        let remark = format!(
+            "{}; the factor alone, plain double precision",
+            slicot_remark(&pieces, block_rows)
+        );
         rows.push(TimeRow::peer(what, &pieces, remark));
     }
     let note = "IB01AD is SLICOT's, with MOESP and no inputs; its matrix has 2 NOBR block rows, so that NOBR is half of ours, and it also factors the matrix and \

@@ -1,13 +1,14 @@
 use super::*;
 
 fn curve(points: &[(f64, f64)]) -> Curve {
-    Curve { label: "x", points: points.to_vec() }
+    Curve { who: Who::Fit, points: points.to_vec() }
 }
 
 #[test]
 fn counts_are_shown_as_powers() {
     assert_eq!(power(100_000_000), "1e8");
     assert_eq!(power(25_000), "2.5e4");
+    assert_eq!([show_place(404), show_place(10_000)], ["404", "1e4"]);
 }
 
 #[test]
@@ -21,7 +22,7 @@ fn memory_that_grows_is_seen() {
 #[test]
 fn places_without_a_time_stay_empty() {
     let curves = [curve(&[(10.0, 1.0), (100.0, 2.0)]), curve(&[(10.0, 3.0)]), curve(&[])];
-    let Block::Table(table) = curve_table("t", "N", &curves, |n| n.to_string()).unwrap() else {
+    let Block::Table(table) = curve_table("t", "N", &curves).unwrap() else {
         panic!("a table");
     };
     assert_eq!(table.columns().len(), 3);
