@@ -107,7 +107,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let [gram, fit, streamed, lstsq, plain] = &mut curves;
     for samples in LENGTHS {
         bench.say(format!("growth: N = {}", power(samples)));
-        let channels = records::record(Excitation::Aileron, samples)?;
+        let channels = records::with_noise(records::record(Excitation::Aileron, samples)?);
         let record = [channels[0].as_slice(), channels[1].as_slice()];
         let runs = if samples > 1_000_000 { Runs::FEW } else { Runs::MANY };
         gram.push(samples, &time(runs, || ours::gram(&layout, &record, 1))?);

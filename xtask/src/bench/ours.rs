@@ -1,6 +1,6 @@
 //! Our fits and Gram matrices, as the groups call them.
 
-use cfi_ident::{ConstantTerm, Fit, FitOptions, Orders, Segment, Structure};
+use cfi_ident::{Accumulator, ConstantTerm, Engine, Fit, FitOptions, Orders, Segment, Structure};
 use hankel::{Column, Gram, Layout, Options};
 
 use crate::TaskError;
@@ -42,12 +42,12 @@ pub(crate) fn gram(layout: &Layout, record: &[&[f64]], threads: usize) -> Result
 /// How a fit is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum How {
-    /// From the Gram matrix in doubled precision.
+    /// As it comes: from the Gram matrix in doubled precision, refined on the data where that brings anything.
     Gram { threads: usize },
-    /// By Householder reflections, then refined against the data.
-    RefinedQr,
-    /// By Householder reflections alone.
-    PlainQr,
+    /// From the Gram matrix alone: one pass over the data.
+    OnePass,
+    /// By Householder reflections in doubles.
+    Qr,
 }
 
 pub(crate) fn fit(input: &[f64], output: &[f64], orders: LRD, how: How) -> Result<Fit, TaskError> {
@@ -55,31 +55,15 @@ pub(crate) fn fit(input: &[f64], output: &[f64], orders: LRD, how: How) -> Resul
     let segment = Segment::new(input, output).map_err(fault)?;
     let default = FitOptions::default();
     let options = match how {
-        How::Gram { threads } => {
-            let _ = threads;
-            FitOptions { refinement_steps: 2, ..default }
-        }
-        How::RefinedQr => FitOptions { refinement_steps: 4, ..default },
-        How::PlainQr => FitOptions { refinement_steps: 0, ..default },
+        How::Gram { threads } => FitOptions { engine: Engine::Gram, threads, ..default },
+        How::OnePass => FitOptions { engine: Engine::Gram, refinement_steps: 0, ..default },
+        How::Qr => FitOptions { engine: Engine::Qr, ..default },
     };
     cfi_ident::fit(&[segment], &structure(orders)?, &options).map_err(fault)
 }
 
-pub(crate) struct Stream {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    orders: LRD,
-}
-pub(crate) fn stream(orders: LRD) -> Result<Stream, TaskError> {
-    Ok(Stream { x: vec![], y: vec![], orders })
-}
-impl Stream {
-    pub(crate) fn push(&mut self, x: &[f64], y: &[f64]) -> Result<(), TaskError> {
-        self.x.extend(x);
-        self.y.extend(y);
-        Ok(())
-    }
-    pub(crate) fn finish(self) -> Result<Fit, TaskError> {
-        fit(&self.x, &self.y, self.orders, How::PlainQr)
-    }
+/// A fit that is given its record in pieces.
+pub(crate) fn streaming(orders: LRD) -> Result<Accumulator, TaskError> {
+    Accumulator::new(&structure(orders)?, &FitOptions::default())
+        .map_err(TaskError::computation("fit"))
 }

@@ -75,13 +75,14 @@ pub(crate) fn child(folder: &Path, out: &mut dyn Write) -> Result<(), TaskError>
 fn fit(folder: &Path) -> Result<usize, TaskError> {
     let mut input = Doubles::open(&folder.join("input.f64"))?;
     let mut output = Doubles::open(&folder.join("output.f64"))?;
-    let mut fit = ours::stream(PAPER)?;
+    let mut sums = ours::streaming(PAPER)?;
+    let fault = TaskError::computation(PART);
     loop {
         let (x, y) = (input.next()?, output.next()?);
         if x.is_empty() && y.is_empty() {
-            return Ok(fit.finish()?.rank);
+            return Ok(sums.fit().map_err(fault)?.rank);
         }
-        fit.push(x, y)?;
+        sums.push(x, y).map_err(fault)?;
     }
 }
 
