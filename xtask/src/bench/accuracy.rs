@@ -7,7 +7,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use report::{Block, Column, Table};
 
-use super::ours::{self, How, LRD, PAPER};
+use super::ours::{self, How, ModelOrders, PAPER};
 use super::peers::Answer;
 use super::records::{self, Excitation};
 use super::row::{Asked, Row, asked_and_reached, small, times};
@@ -37,8 +37,9 @@ struct Worst {
 
 impl Worst {
     fn add(&mut self, error: f64, judge: f64) {
-        // Errors below the rounding unit are luck.
-        let ratio = error.max(f64::EPSILON) / judge.max(f64::EPSILON);
+        // Errors below the rounding unit are luck. `f64::max` would hide what is not a number.
+        let floored = |x: f64| if x.is_nan() { x } else { x.max(f64::EPSILON) };
+        let ratio = floored(error) / floored(judge);
         // What is not a number is as bad as can be.
         let larger = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
         *self = Self { error: larger(self.error, error), ratio: larger(self.ratio, ratio) };
@@ -135,7 +136,7 @@ fn roots_error(denominator: &[f64], truth: &[Complex<f64>]) -> Result<f64, TaskE
 }
 
 /// Orders of the planted family: 21 Markov parameters, no denominator.
-const PLANTED: LRD = [0, 10, 10];
+const PLANTED: ModelOrders = [0, 10, 10];
 /// Samples of the planted family: short, since the exact solution is computed with integers.
 const PLANTED_SAMPLES: usize = 1000;
 /// Condition numbers to plant, as powers of ten.
@@ -161,11 +162,8 @@ fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
             let truth = exact_solution(&input, &output)?;
             let reflections = ours::fit(&input, &output, PLANTED, JUDGE)?;
             let judge = distance(&reflections.model.theta(), &truth);
-            let mut cells = vec![
-                format!("1e{power}"),
-                format!("{unexplained:e}"),
-                small(reflections.condition),
-            ];
+            let mut cells =
+                vec![format!("1e{power}"), show_part(unexplained), small(reflections.condition)];
             for (worst, (_, how)) in worst.iter_mut().zip(JUDGED) {
                 let fit = ours::fit(&input, &output, PLANTED, how)?;
                 let error = distance(&fit.model.theta(), &truth);
@@ -176,8 +174,10 @@ fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
             table.push(cells).map_err(TaskError::computation(PART))?;
         }
         for (Worst { ratio, .. }, (name, _)) in worst.into_iter().zip(JUDGED) {
-            let what =
-                format!("{name}: error over QR's, worst of all, {unexplained:e} unexplained");
+            let what = format!(
+                "{name}: error over QR's, worst of all, {} unexplained",
+                show_part(unexplained)
+            );
             rows.push(Row::new(what, Asked::AtMost(10.0), ratio, times));
         }
     }
@@ -229,6 +229,10 @@ fn exact_solution(input: &[f64], output: &[f64]) -> Result<Vec<f64>, TaskError> 
         part: PART,
         message: "the planted columns are dependent".to_owned(),
     })
+}
+
+fn show_part(part: f64) -> String {
+    if part > 0.0 { format!("{part:e}") } else { "nothing".to_owned() }
 }
 
 /// Relative, in the 2-norm.

@@ -5,7 +5,7 @@ use report::{
 };
 
 use super::machine::free_bytes;
-use super::ours::{self, How, LRD, PAPER};
+use super::ours::{self, How, ModelOrders, PAPER};
 use super::records::{self, Excitation};
 use super::row::{Asked, Row, asked_and_reached, times};
 use super::slope::log_log_slope;
@@ -208,7 +208,7 @@ fn with_columns(bench: &Bench) -> Result<Vec<Block>, TaskError> {
 fn add_peers(
     bench: &Bench,
     record: &[&[f64]; 2],
-    [l, r, d]: LRD,
+    [l, r, d]: ModelOrders,
     x: usize,
     curves: [&mut Curve; 2],
     samples: usize,

@@ -58,7 +58,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     Ok(Group {
         title: "How far from the limit",
         introduction: format!(
-            "The peak of one core, measured in this run with {} and {} doubles a register: {:.1} Gflop/s of fused multiply-adds, which count as two. A compensated product is \
+            "The peak of one core, the fastest of several loops in this run, with {} and {} doubles a register: {:.1} Gflop/s of fused multiply-adds, which count as two. A compensated product is \
              6 flops: two fused multiply-adds, a subtraction and an addition. Where additions run on the units of the multiply-adds, a kernel of nothing but such \
              products comes to three quarters of the peak. The time is that of the whole call, with checks and scaling.",
             peak.instruction_set,

@@ -6,18 +6,18 @@ use hankel::{Column, Gram, Layout, Options};
 use crate::TaskError;
 
 /// The orders l, r and d of a composite model.
-pub(crate) type LRD = [usize; 3];
+pub(crate) type ModelOrders = [usize; 3];
 
 /// The paper's orders: 54 parameters.
-pub(crate) const PAPER: LRD = [4, 25, 25];
+pub(crate) const PAPER: ModelOrders = [4, 25, 25];
 
-pub(crate) fn structure([l, r, d]: LRD) -> Result<Structure, TaskError> {
+pub(crate) fn structure([l, r, d]: ModelOrders) -> Result<Structure, TaskError> {
     let orders = Orders::new(l, r, d).map_err(TaskError::computation("fit"))?;
     Ok(Structure::new(orders, ConstantTerm::Omitted))
 }
 
 /// The columns of the paper's regressors and the target, in two channels: pseudo input, pseudo output.
-pub(crate) fn cfi_layout([l, r, d]: LRD) -> Result<Layout, TaskError> {
+pub(crate) fn cfi_layout([l, r, d]: ModelOrders) -> Result<Layout, TaskError> {
     let lag = |n: usize| isize::try_from(n).map_err(TaskError::computation("layout"));
     let mut columns = Vec::new();
     for i in 1..l {
@@ -50,7 +50,12 @@ pub(crate) enum How {
     Qr,
 }
 
-pub(crate) fn fit(input: &[f64], output: &[f64], orders: LRD, how: How) -> Result<Fit, TaskError> {
+pub(crate) fn fit(
+    input: &[f64],
+    output: &[f64],
+    orders: ModelOrders,
+    how: How,
+) -> Result<Fit, TaskError> {
     let fault = TaskError::computation("fit");
     let segment = Segment::new(input, output).map_err(fault)?;
     let default = FitOptions::default();
@@ -63,7 +68,7 @@ pub(crate) fn fit(input: &[f64], output: &[f64], orders: LRD, how: How) -> Resul
 }
 
 /// A fit that is given its record in pieces.
-pub(crate) fn streaming(orders: LRD) -> Result<Accumulator, TaskError> {
+pub(crate) fn streaming(orders: ModelOrders) -> Result<Accumulator, TaskError> {
     Accumulator::new(&structure(orders)?, &FitOptions::default())
         .map_err(TaskError::computation("fit"))
 }

@@ -54,6 +54,11 @@ impl Timing {
         }
     }
 
+    /// What the work takes when nothing gets in its way.
+    pub(crate) fn fastest(&self) -> f64 {
+        self.seconds[0]
+    }
+
     /// The times that a quarter of the runs stay below, and that a quarter exceed.
     pub(crate) fn quartiles(&self) -> (f64, f64) {
         let quarter = self.seconds.len() / 4;
