@@ -5,6 +5,7 @@ use std::io::{Read, Write};
 use std::path::Path;
 use std::process::Command;
 
+use cfi_ident::Accumulator;
 use serde::{Deserialize, Serialize};
 
 use super::memory::peak_bytes;
@@ -20,7 +21,10 @@ const BLOCK: usize = 1 << 14;
 /// What the process found.
 #[derive(Debug)]
 pub(crate) struct Streamed {
-    pub(crate) timing: Timing,
+    /// Reading the files and summing the lag products.
+    pub(crate) sums: Timing,
+    /// What is solved from the sums, whatever the length of the record.
+    pub(crate) solution: Timing,
     /// `None` where the system does not tell.
     pub(crate) peak_bytes: Option<u64>,
 }
@@ -28,7 +32,8 @@ pub(crate) struct Streamed {
 /// The line that the process prints.
 #[derive(Serialize, Deserialize)]
 struct Line {
-    seconds: Vec<f64>,
+    sum_seconds: Vec<f64>,
+    solution_seconds: Vec<f64>,
     peak_bytes: Option<u64>,
     rank: usize,
 }
@@ -55,34 +60,41 @@ fn judge(answer: &[u8]) -> Result<Streamed, String> {
     if line.rank != l + r + d {
         return Err(format!("the fit has rank {}, it should be {}", line.rank, l + r + d));
     }
-    let timing = Timing::new(line.seconds).ok_or("the process gave no time")?;
-    Ok(Streamed { timing, peak_bytes: line.peak_bytes })
+    let timing = |seconds| Timing::new(seconds).ok_or("the process gave no time");
+    Ok(Streamed {
+        sums: timing(line.sum_seconds)?,
+        solution: timing(line.solution_seconds)?,
+        peak_bytes: line.peak_bytes,
+    })
 }
 
 /// The process: fits the record several times and prints its line.
 pub(crate) fn child(folder: &Path, out: &mut dyn Write) -> Result<(), TaskError> {
-    let mut rank = 0;
-    let timing = time(Runs::FEW, || {
-        rank = fit(folder)?;
-        Ok(())
-    })?;
-    let line = Line { seconds: timing.seconds().to_vec(), peak_bytes: peak_bytes(), rank };
+    let fault = TaskError::computation(PART);
+    let sums = time(Runs::FEW, || read(folder))?;
+    let read = read(folder)?;
+    let solution = time(Runs::FEW, || read.fit().map_err(fault))?;
+    let line = Line {
+        sum_seconds: sums.seconds().to_vec(),
+        solution_seconds: solution.seconds().to_vec(),
+        peak_bytes: peak_bytes(),
+        rank: read.fit().map_err(fault)?.rank,
+    };
     let text = serde_json::to_string(&line).map_err(TaskError::computation(PART))?;
     writeln!(out, "{text}").map_err(|source| TaskError::io("standard output", source))
 }
 
-/// Reads the two channels side by side and fits them; returns the rank.
-fn fit(folder: &Path) -> Result<usize, TaskError> {
+/// Reads the two channels side by side and sums their lag products.
+fn read(folder: &Path) -> Result<Accumulator, TaskError> {
     let mut input = Doubles::open(&folder.join("input.f64"))?;
     let mut output = Doubles::open(&folder.join("output.f64"))?;
     let mut sums = ours::streaming(PAPER)?;
-    let fault = TaskError::computation(PART);
     loop {
         let (x, y) = (input.next()?, output.next()?);
         if x.is_empty() && y.is_empty() {
-            return Ok(sums.fit().map_err(fault)?.rank);
+            return Ok(sums);
         }
-        sums.push(x, y).map_err(fault)?;
+        sums.push(x, y).map_err(TaskError::computation(PART))?;
     }
 }
 

@@ -22,9 +22,21 @@ fn the_process_says_what_it_found() {
     let mut text = Vec::new();
     child(folder.path(), &mut text).unwrap();
     let found = judge(&text).unwrap();
-    assert!(found.timing.median() > 0.0);
+    assert!(found.sums.median() > 0.0 && found.solution.median() > 0.0);
 
-    assert!(judge(br#"{"seconds": [1.0], "peak_bytes": 5, "rank": 53}"#).is_err());
-    assert!(judge(br#"{"seconds": [], "peak_bytes": null, "rank": 54}"#).is_err());
+    assert!(
+        judge(
+            br#"{"sum_seconds": [1.0], "solution_seconds": [1.0], "peak_bytes": null, "rank": 54}"#
+        )
+        .is_ok()
+    );
+    assert!(
+        judge(br#"{"sum_seconds": [1.0], "solution_seconds": [1.0], "peak_bytes": 5, "rank": 53}"#)
+            .is_err()
+    );
+    assert!(
+        judge(br#"{"sum_seconds": [], "solution_seconds": [1.0], "peak_bytes": 5, "rank": 54}"#)
+            .is_err()
+    );
     assert!(judge(b"").is_err());
 }
