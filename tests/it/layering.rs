@@ -10,7 +10,7 @@ const ALLOWED: [(&str, &[&str]); 12] = [
     ("lti", &["doubled", "poly"]),
     ("hankel", &["doubled"]),
     ("era", &["lti", "poly"]),
-    ("cfi-ident", &[]),
+    ("cfi-ident", &["hankel"]),
     ("aircraft", &["lti"]),
     ("reconstruct", &["cfi-ident", "era", "lti", "poly"]),
     ("report", &[]),

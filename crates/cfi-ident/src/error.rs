@@ -151,6 +151,17 @@ pub enum FitError {
         /// How the solver ended.
         status: crate::regularized::Status,
     },
+    /// The lag products could not be summed.
+    #[error("the lag products of the two signals could not be summed: {reason}")]
+    Sums {
+        /// Why.
+        reason: String,
+    },
+    /// Two partial sums of different structures.
+    #[error(
+        "the two partial results have different structures: both need the same orders and constant term"
+    )]
+    DifferentStructures,
     /// A matrix decomposition did not converge.
     #[error("the singular value decomposition of a {size} x {size} triangle did not converge")]
     Decomposition {

@@ -13,6 +13,8 @@ use crate::{FitError, triangle::Triangle};
 pub(crate) struct Factor {
     /// S, the factor that scales each column to norm one; 1 for a zero column.
     scaling: DVector<f64>,
+    /// Norms of the columns.
+    pub(crate) norms: Vec<f64>,
     left: DMatrix<f64>,
     right: DMatrix<f64>,
     pub(crate) singular_values: Vec<f64>,
@@ -24,13 +26,9 @@ impl Factor {
     pub(crate) fn new(triangle: &Triangle, relative_tolerance: f64) -> Result<Self, FitError> {
         let mut scaled = triangle.regressors();
         let size = scaled.ncols();
-        let scaling = DVector::from_iterator(
-            size,
-            scaled.column_iter().map(|column| {
-                let norm = column.norm();
-                if norm > 0.0 { norm.recip() } else { 1.0 }
-            }),
-        );
+        let norms: Vec<f64> = scaled.column_iter().map(|column| column.norm()).collect();
+        let inverse = |norm: &f64| if *norm > 0.0 { norm.recip() } else { 1.0 };
+        let scaling = DVector::from_iterator(size, norms.iter().map(inverse));
         for (mut column, scale) in scaled.column_iter_mut().zip(&scaling) {
             column *= *scale;
         }
@@ -46,6 +44,7 @@ impl Factor {
         let rank = singular_values.iter().take_while(|x| **x > floor).count();
         Ok(Self {
             scaling,
+            norms,
             left: DMatrix::from_fn(size, size, |i, j| u[(i, j)]),
             right: DMatrix::from_fn(size, size, |i, j| v[(i, j)]),
             singular_values,
@@ -56,30 +55,17 @@ impl Factor {
     /// The solution of smallest scaled norm for a projected right-hand side.
     pub(crate) fn solve(&self, right_hand_side: &DVector<f64>) -> DVector<f64> {
         let mut weights = self.left.tr_mul(right_hand_side);
-        self.divide_by_singular_values(&mut weights, 1);
+        for (i, weight) in weights.iter_mut().enumerate() {
+            *weight = if i < self.rank { *weight / self.singular_values[i] } else { 0.0 };
+        }
         (&self.right * weights).component_mul(&self.scaling)
     }
 
-    /// (Phi Phi')^+ g: the correction of the parameters that a gradient g = Phi (Psi - theta Phi)' asks for.
-    pub(crate) fn correction(&self, gradient: &DVector<f64>) -> DVector<f64> {
-        let mut weights = self.right.tr_mul(&gradient.component_mul(&self.scaling));
-        self.divide_by_singular_values(&mut weights, 2);
-        (&self.right * weights).component_mul(&self.scaling)
-    }
-
-    /// Norm of a parameter vector in units in which every column of the regressors has norm one.
-    pub(crate) fn scaled_norm(&self, theta: &DVector<f64>) -> f64 {
-        theta.component_div(&self.scaling).norm()
-    }
-
-    /// (Phi Phi')^+, the covariance of the parameters for equation errors of variance one.
-    pub(crate) fn unit_covariance(&self) -> DMatrix<f64> {
+    /// (Phi Phi')^+ with the regressors scaled to norm one.
+    pub(crate) fn inverse(&self) -> DMatrix<f64> {
         let mut half = self.right.columns(0, self.rank).into_owned();
         for (mut column, value) in half.column_iter_mut().zip(&self.singular_values) {
             column /= *value;
-        }
-        for (mut row, scale) in half.row_iter_mut().zip(&self.scaling) {
-            row *= *scale;
         }
         &half * half.transpose()
     }
@@ -89,23 +75,11 @@ impl Factor {
         self.right.columns(self.rank, self.right.ncols() - self.rank).into_owned()
     }
 
-    /// Inverse column norms.
-    pub(crate) fn scaling(&self) -> &DVector<f64> {
-        &self.scaling
-    }
-
     /// Ratio of the largest to the smallest singular value kept; 1 if none is.
     pub(crate) fn condition(&self) -> f64 {
         match self.rank {
             0 => 1.0,
             rank => self.singular_values[0] / self.singular_values[rank - 1],
-        }
-    }
-
-    fn divide_by_singular_values(&self, weights: &mut DVector<f64>, times: i32) {
-        for (i, weight) in weights.iter_mut().enumerate() {
-            *weight =
-                if i < self.rank { *weight / self.singular_values[i].powi(times) } else { 0.0 };
         }
     }
 }

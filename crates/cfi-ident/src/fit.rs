@@ -1,13 +1,24 @@
-//! The least-squares fit: equations, triangle, factor, refinement, and what they say about the answer.
+//! The least-squares fit, and what is known about its answer.
 
 use nalgebra::DMatrix;
 
 use crate::{
-    CfiModel, FitError, Parameter, Refinement, Segment, Structure,
-    factor::Factor,
-    refine::{Refined, refine},
-    regressors::{Equations, scale},
+    CfiModel, FitError, Parameter, Refinement, Segment, Structure, gram, householder,
+    regressors::{Counts, check, scale},
+    solution::Solution,
 };
+
+/// How the equations are reduced to a problem of the size of the parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Engine {
+    /// Sums of lag products in doubled precision, refined on the data where that brings anything: O(N (l + r + d)) operations, and the exact
+    /// solution to the last bits.
+    #[default]
+    Gram,
+    /// Householder reflections in doubles: O(N (l + r + d)^2) operations, off by the condition number times the rounding unit. It shares nothing with
+    /// the other engine and is there to be compared with.
+    Qr,
+}
 
 /// How to fit.
 ///
@@ -21,20 +32,25 @@ use crate::{
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitOptions {
+    /// Which way the solution is found. The default is [`Engine::Gram`].
+    pub engine: Engine,
     /// Singular values at or below this fraction of the largest count as zero. The regressors are first scaled to norm one.
     ///
-    /// `None` (the default) takes max(equations, parameters) times the rounding unit 2^-52, the level to which the
-    /// triangle itself is known.
+    /// `None` (the default) takes what the engine can tell from zero: about 1e-14 for the sums, whatever the length of the record; max(equations,
+    /// parameters) times the rounding unit 2^-52 for reflections.
     pub rank_tolerance: Option<f64>,
-    /// The largest number of refinement steps; 0 keeps the plain QR solution.
+    /// The largest number of refinement steps on the data; 0 keeps what the Gram matrix gives. Reflections are not refined.
     ///
-    /// The default is 4. A step costs about as much as the triangle. One brings nearly everything, the second confirms it.
+    /// The default is 4. A step costs about as much as the sums. One brings nearly everything, a second confirms it, and a record with noise
+    /// rarely needs any.
     pub refinement_steps: usize,
+    /// Threads that sum, at least 1 (the default). The result is the same to the last bit whatever their number.
+    pub threads: usize,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { rank_tolerance: None, refinement_steps: 4 }
+        Self { engine: Engine::Gram, rank_tolerance: None, refinement_steps: 4, threads: 1 }
     }
 }
 
@@ -76,6 +92,11 @@ pub struct Fit {
     pub samples_used: usize,
     /// Segments too short to give a single equation; they were left out.
     pub segments_without_equation: usize,
+    /// How far the parameters may be off the exact least-squares solution by rounding, relative to their norm in units in which each regressor has norm one.
+    ///
+    /// The rounding unit after a refinement that converged; otherwise what the sums' rounding and the condition number squared allow (for reflections, the
+    /// rounding unit times the condition number).
+    pub expected_error: f64,
     /// How the refinement went.
     pub refinement: Refinement,
 }
@@ -106,16 +127,18 @@ const PARTICIPATION: f64 = 1.5e-8;
 /// paper's windows end at y_i(N) and y_o(N - d + l); read with samples 0 .. N - 1 the last equation is one step earlier, and earlier still
 /// where l > d.
 ///
-/// The equations are folded into a triangle by Householder reflections, the columns scaled to norm one, the rank taken from the singular
-/// values, and the solution refined against the data with the residual in doubled precision. A rank-deficient problem gets the solution
+/// The products of the equations are summed in doubled precision, factorised, the columns scaled to norm one and the rank taken from the singular
+/// values; where it matters the solution is then corrected on the data, which makes it exact to the last bits. A rank-deficient problem gets the solution
 /// of smallest norm in the scaled parameters, and [`Fit::unidentifiable`] says which parameters it leaves open.
+///
+/// For records that come in pieces, or that are too long to keep, see [`crate::Accumulator`].
 ///
 /// Source: paper eq. (45).
 ///
 /// # Errors
 ///
 /// [`FitError::NoSegment`], [`FitError::TooFewSamples`], [`FitError::ConstantInput`], [`FitError::BadValue`] for a rank tolerance outside
-/// 0 .. 1, [`FitError::Overflow`] if the two signals differ too much in magnitude.
+/// 0 .. 1 or no thread, [`FitError::Overflow`] if the two signals differ too much in magnitude.
 ///
 /// # Example
 ///
@@ -139,94 +162,86 @@ pub fn fit(
     structure: &Structure,
     options: &FitOptions,
 ) -> Result<Fit, FitError> {
-    if let Some(value) = options.rank_tolerance
-        && !(0.0..1.0).contains(&value)
-    {
-        return Err(FitError::BadValue {
-            what: "the rank tolerance",
-            value,
-            needed: "at least 0 and less than 1",
-        });
-    }
-    let equations = Equations::new(segments, structure, structure.parameter_count())?;
-    let triangle = equations.triangle();
-    let parameters = triangle.columns();
-    let rounding = f64::EPSILON * count(triangle.rows().max(parameters));
-    let factor = Factor::new(&triangle, options.rank_tolerance.unwrap_or(rounding))?;
-    let theta = factor.solve(&triangle.right_hand_side());
-    let refined = refine(&equations, &factor, theta, options.refinement_steps);
-    summarise(&equations, &factor, &refined, triangle.target_norm())
+    options.check()?;
+    let counts = check(segments, structure, structure.parameter_count())?;
+    let solution = match options.engine {
+        Engine::Gram => gram::solve(segments, structure, options)?,
+        Engine::Qr => householder::solve(segments, structure, options)?,
+    };
+    Fit::new(structure, counts, &solution)
 }
 
-/// Brings the answer back to the given units.
-fn summarise(
-    equations: &Equations,
-    factor: &Factor,
-    refined: &Refined,
-    target: f64,
-) -> Result<Fit, FitError> {
-    let exponents: Vec<i32> = equations
-        .columns
-        .iter()
-        .take(refined.theta.len())
-        .map(|c| equations.parameter_exponent(*c))
-        .collect();
-    let theta: Vec<f64> =
-        refined.theta.iter().zip(&exponents).map(|(x, e)| scale(*x, *e)).collect();
-    if theta.iter().any(|x| !x.is_finite()) {
-        return Err(FitError::Overflow { what: "a parameter" });
+impl FitOptions {
+    pub(crate) fn check(&self) -> Result<(), FitError> {
+        if let Some(value) = self.rank_tolerance
+            && !(0.0..1.0).contains(&value)
+        {
+            let what = "the rank tolerance";
+            return Err(FitError::BadValue { what, value, needed: "at least 0 and less than 1" });
+        }
+        if self.threads == 0 {
+            let what = "the number of threads";
+            return Err(FitError::BadValue { what, value: 0.0, needed: "at least 1" });
+        }
+        Ok(())
     }
-    let degrees_of_freedom = equations.rows - factor.rank;
-    let scaled_variance =
-        (degrees_of_freedom > 0).then(|| refined.residual_norm.powi(2) / count(degrees_of_freedom));
-    let unit = factor.unit_covariance();
-    let variance = scaled_variance.unwrap_or(0.0);
-    let parameter_covariance = DMatrix::from_fn(unit.nrows(), unit.ncols(), |i, j| {
-        scale(scale(unit[(i, j)] * variance, exponents[i]), exponents[j])
-    });
-    let residual_norm = scale(refined.residual_norm, equations.output_exponent);
-    Ok(Fit {
-        model: CfiModel::from_theta(equations.structure, &theta)?,
-        residual_norm,
-        residual_rms: residual_norm / count(equations.rows).sqrt(),
-        relative_residual: if target > 0.0 { refined.residual_norm / target } else { 0.0 },
-        rank: factor.rank,
-        condition: factor.condition(),
-        singular_values: factor.singular_values.clone(),
-        parameter_covariance,
-        degrees_of_freedom,
-        noise_variance: scaled_variance
-            .map(|x| scale(scale(x, equations.output_exponent), equations.output_exponent)),
-        unidentifiable: unidentifiable(equations, factor, &exponents),
-        equations: equations.rows,
-        samples_used: equations.samples_used,
-        segments_without_equation: equations.segments_without_equation,
-        refinement: refined.refinement,
-    })
 }
 
-fn unidentifiable(
-    equations: &Equations,
-    factor: &Factor,
-    exponents: &[i32],
-) -> Option<Unidentifiable> {
-    if factor.rank == exponents.len() {
+impl Fit {
+    /// The solution in terms of the model.
+    pub(crate) fn new(
+        structure: &Structure,
+        counts: Counts,
+        solution: &Solution,
+    ) -> Result<Self, FitError> {
+        let degrees_of_freedom = counts.equations - solution.rank;
+        let free = (degrees_of_freedom > 0).then(|| count(degrees_of_freedom));
+        let deviation = free.map_or(0.0, |free| solution.residual_norm / free.sqrt());
+        // Deviation over norm first: each alone may be near the end of the range.
+        let unit = |(factor, exponent): &(f64, i32)| {
+            if *factor > 0.0 { scale(deviation / factor, -exponent) } else { deviation }
+        };
+        let units: Vec<f64> = solution.norms.iter().map(unit).collect();
+        Ok(Self {
+            model: CfiModel::from_theta(*structure, &solution.theta)?,
+            residual_norm: solution.residual_norm,
+            residual_rms: solution.residual_norm / count(counts.equations).sqrt(),
+            relative_residual: solution.relative_residual,
+            rank: solution.rank,
+            condition: solution.condition,
+            singular_values: solution.singular_values.clone(),
+            parameter_covariance: DMatrix::from_fn(units.len(), units.len(), |i, j| {
+                solution.inverse[(i, j)] * units[i] * units[j]
+            }),
+            degrees_of_freedom,
+            noise_variance: free.map(|_| deviation * deviation),
+            unidentifiable: unidentifiable(structure, solution),
+            equations: counts.equations,
+            samples_used: counts.samples_used,
+            segments_without_equation: counts.segments_without_equation,
+            expected_error: solution.expected_error,
+            refinement: solution.refinement,
+        })
+    }
+}
+
+fn unidentifiable(structure: &Structure, solution: &Solution) -> Option<Unidentifiable> {
+    if solution.rank == solution.norms.len() {
         return None;
     }
-    let mut directions = factor.null_directions();
+    let mut directions = solution.null_directions.clone();
     let takes_part: Vec<bool> =
         directions.row_iter().map(|row| row.norm() > PARTICIPATION).collect();
-    for ((mut row, factor), exponent) in
-        directions.row_iter_mut().zip(factor.scaling()).zip(exponents)
-    {
-        row.iter_mut().for_each(|x| *x = scale(*x * factor, *exponent));
+    for (mut row, (factor, exponent)) in directions.row_iter_mut().zip(&solution.norms) {
+        let norm = if *factor > 0.0 { *factor } else { 1.0 };
+        row.iter_mut().for_each(|x| *x = scale(*x / norm, -exponent));
     }
     for mut column in directions.column_iter_mut() {
         let largest = column.amax();
         column /= largest;
         column.normalize_mut();
     }
-    let named = equations.structure.parameters().zip(takes_part);
+    let named = structure.parameters().zip(takes_part);
     Some(Unidentifiable {
         directions,
         parameters: named.filter_map(|(name, part)| part.then_some(name)).collect(),

@@ -14,6 +14,7 @@
 //! |---|---|
 //! | say which coefficients the model has | [`Orders`], [`ConstantTerm`], [`Structure`] |
 //! | hand in records, with gaps if need be | [`Segment`] |
+//! | identify from a record that comes in pieces | [`Accumulator`] |
 //! | identify, and see how far to trust it | [`fit`], [`Fit`] |
 //! | use the model | [`CfiModel`], [`Prediction`] |
 //! | make the model of a known transmissibility | [`ZerosAndPoles`] |
@@ -21,10 +22,11 @@
 //!
 //! # Numerics
 //!
-//! The N x p regressors are never stored. Blocks of rows are folded by Householder reflections into one (p + 1) x (p + 1) triangle; its columns
-//! are scaled to norm one, its singular values give rank and condition, and the solution is refined against the data with the residual in
-//! doubled precision. Where data obey the model to rounding, the result is the exact least-squares solution, rounded. The channels are scaled by powers
-//! of two first, so that units do not matter.
+//! The regressors are shifted copies of two channels and are never stored. The crate `hankel` sums their lag products in doubled precision, in one pass and
+//! in time that grows with N (l + r + d) only; pivoted Cholesky factorisation in doubled precision, with the columns scaled to norm one, gives rank, condition
+//! and solution. Where the condition number is high or the residual small, the solution is corrected on the data with the residual in
+//! doubled precision: the result is the exact least-squares solution, rounded. The channels may have any magnitude, 1e-300 to 1e300.
+//! [`Engine::Qr`] does the same by Householder reflections, for comparison.
 //!
 //! # Example
 //!
@@ -51,26 +53,29 @@
 //! - `regularized` (off by default): ridge, lasso, exponentially weighted and nuclear-norm fits by the conic solver Clarabel. Needs a
 //!   system OpenBLAS.
 
-mod doubled;
+mod accumulator;
 mod error;
 mod factor;
 mod fit;
+mod gram;
+mod householder;
 mod laurent;
 mod model;
 mod orders;
 mod predict;
-mod refine;
 mod regressors;
 #[cfg(feature = "regularized")]
 pub mod regularized;
 mod segment;
+mod solution;
 mod triangle;
 
+pub use accumulator::Accumulator;
 pub use error::{FitError, Signal};
-pub use fit::{Fit, FitOptions, Unidentifiable, fit};
+pub use fit::{Engine, Fit, FitOptions, Unidentifiable, fit};
 pub use laurent::{Split, ZerosAndPoles};
 pub use model::CfiModel;
 pub use orders::{ConstantTerm, Orders, Parameter, Structure};
 pub use predict::{Predicted, Prediction};
-pub use refine::Refinement;
 pub use segment::Segment;
+pub use solution::Refinement;

@@ -90,7 +90,6 @@ impl Triangle {
     }
 
     /// Norm of the residual of the full-rank solution.
-    #[cfg(any(test, feature = "regularized"))]
     pub(crate) fn residual_norm(&self) -> f64 {
         let p = self.columns();
         self.r[(p, p)].abs()

@@ -26,6 +26,11 @@ pub struct LeastSquares {
     pub expected_error: f64,
     /// What passes over the data have brought.
     pub refinement: Refinement,
+    /// `|| t ||`, in the unit of the record.
+    pub target_norm: f64,
+    /// What no b at all explains of the target, in the unit of the record: the same as `residual_norm` before a refinement, unless small singular values
+    /// were cut off.
+    pub unexplained_norm: f64,
     /// The target in the basis of [`Cholesky::triangle`], in the unit of the record: `|| X b - t ||^2` is
     /// `|| R D^-1 b - projected ||^2` and what no b explains.
     pub projected: Vec<f64>,
@@ -36,7 +41,7 @@ pub struct LeastSquares {
     /// The target's samples are in units of two to this.
     pub(crate) unit: i32,
     /// Norm of the target over that unit.
-    target_norm: f64,
+    scaled_target_norm: f64,
 }
 
 /// How a refinement on the data went.
@@ -102,7 +107,11 @@ impl Gram {
         let z = factor.forward(&right_hand_side);
         let total = self.at(target, target);
         let explained = &z[..factor.rank()];
-        let rest = explained.iter().fold(total, |rest, z| rest - *z * *z).value().max(0.0);
+        let without =
+            |z: &[DoubleDouble]| z.iter().fold(total, |rest, z| rest - *z * *z).value().max(0.0);
+        let rest = without(explained);
+        let target_norm = total.value().max(0.0).sqrt();
+        let unit = self.exponent(target);
         let solution = factor.smallest(&factor.backward(explained));
         let mut found = LeastSquares {
             coefficients: Vec::new(),
@@ -113,8 +122,10 @@ impl Gram {
             projected: z.iter().map(|z| scaled(z.value(), self.exponent(target))).collect(),
             scaled: solution.into_iter().map(DoubleDouble::value).collect(),
             target,
-            unit: self.exponent(target),
-            target_norm: total.value().max(0.0).sqrt(),
+            unit,
+            target_norm: scaled(target_norm, unit),
+            unexplained_norm: scaled(without(&z).sqrt(), unit),
+            scaled_target_norm: target_norm,
             factor,
         };
         found.describe(rest.sqrt())?;
@@ -136,7 +147,7 @@ impl LeastSquares {
         }
         self.residual_norm = scaled(residual, self.unit);
         self.relative_residual =
-            if self.target_norm > 0.0 { residual / self.target_norm } else { 0.0 };
+            if self.scaled_target_norm > 0.0 { residual / self.scaled_target_norm } else { 0.0 };
         Ok(())
     }
 

@@ -13,7 +13,8 @@ use crate::{
     CfiModel, FitError, Parameter, Segment, Structure,
     factor::Factor,
     fit::count,
-    regressors::{Channel, Equations, scale},
+    gram::{Reduced, reduce},
+    regressors::{Counts, check, scale},
     triangle::Triangle,
 };
 
@@ -102,8 +103,9 @@ pub fn fit(
 
 /// The equations in units in which every column has a norm near one: what the solver gets, for any penalty and lambda.
 pub(crate) struct Penalised {
-    equations: Equations,
-    triangle: Triangle,
+    structure: Structure,
+    counts: Counts,
+    reduced: Reduced,
     /// x = theta' * unit, for theta' in the scaled channels.
     units: DVector<f64>,
     a: DMatrix<f64>,
@@ -112,25 +114,21 @@ pub(crate) struct Penalised {
 
 impl Penalised {
     pub(crate) fn new(segments: &[Segment<'_>], structure: &Structure) -> Result<Self, FitError> {
-        let equations = Equations::new(segments, structure, structure.denominator_count() + 1)?;
-        let triangle = equations.triangle();
-        let mut a = triangle.regressors();
+        let counts = check(segments, structure, structure.denominator_count() + 1)?;
+        let reduced = reduce(segments, structure)?;
+        let mut a = reduced.a.clone();
         let middle = structure.denominator_count() + structure.orders.anticausal();
         let positive = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
         let input = positive(a.column(middle).norm());
-        let output = positive(triangle.target_norm());
-        let units = DVector::from_iterator(
-            a.ncols(),
-            equations.columns.iter().take(a.ncols()).map(|column| match column.channel {
-                Channel::Input => input / output,
-                Channel::Output => 1.0,
-            }),
-        );
+        let output = positive(reduced.target_norm);
+        let units = DVector::from_fn(a.ncols(), |i, _| {
+            if i < structure.denominator_count() { 1.0 } else { input / output }
+        });
         for (mut column, unit) in a.column_iter_mut().zip(&units) {
             column /= *unit * output;
         }
-        let b = triangle.right_hand_side() / output;
-        Ok(Self { equations, triangle, units, a, b })
+        let b = &reduced.b / output;
+        Ok(Self { structure: *structure, counts, reduced, units, a, b })
     }
 
     pub(crate) fn solve(
@@ -139,7 +137,7 @@ impl Penalised {
         lambda: f64,
         settings: &Settings,
     ) -> Result<RegularizedFit, FitError> {
-        let structure = self.equations.structure;
+        let structure = self.structure;
         let cornered = match regularization {
             _ if lambda == 0.0 => None,
             Regularization::Lasso => Some(Cornered::Lasso),
@@ -160,24 +158,25 @@ impl Penalised {
         };
         let parameters = self.a.ncols();
         let x = DVector::from_column_slice(&solution.variables[..parameters]);
-        let theta: Vec<f64> = x
-            .component_div(&self.units)
-            .iter()
-            .zip(&self.equations.columns)
-            .map(|(x, column)| scale(*x, self.equations.parameter_exponent(*column)))
-            .collect();
+        let in_given_units = |(i, theta): (usize, &f64)| {
+            let input = i >= structure.denominator_count();
+            let Reduced { input_exponent, output_exponent, .. } = self.reduced;
+            scale(*theta, if input { output_exponent - input_exponent } else { 0 })
+        };
+        let theta: Vec<f64> =
+            x.component_div(&self.units).iter().enumerate().map(in_given_units).collect();
         if theta.iter().any(|x| !x.is_finite()) {
             return Err(FitError::Overflow { what: "a parameter" });
         }
-        let target = self.triangle.target_norm();
+        let target = self.reduced.target_norm;
         // What no parameter can explain is a constant that the program leaves out.
-        let unexplained = if target > 0.0 { self.triangle.residual_norm() / target } else { 0.0 };
+        let unexplained = if target > 0.0 { self.reduced.unexplained_norm / target } else { 0.0 };
         let explained = (&self.b - &self.a * &x).norm();
         let relative_residual = explained.hypot(unexplained);
         let penalty = penalty(structure, regularization, &x);
         let objective = relative_residual.powi(2) / 2.0 + lambda * penalty;
         let gap = bound.map_or(0.0, |bound| (objective - bound - unexplained.powi(2) / 2.0).abs());
-        let residual_norm = scale(relative_residual * target, self.equations.output_exponent);
+        let residual_norm = scale(relative_residual * target, self.reduced.output_exponent);
         Ok(RegularizedFit {
             model: CfiModel::from_theta(structure, &theta)?,
             regularization,
@@ -186,11 +185,11 @@ impl Penalised {
             penalty,
             relative_gap: if objective > 0.0 { gap / objective } else { 0.0 },
             residual_norm,
-            residual_rms: residual_norm / count(self.equations.rows).sqrt(),
+            residual_rms: residual_norm / count(self.counts.equations).sqrt(),
             relative_residual,
             status: solution.status,
             iterations: solution.iterations,
-            equations: self.equations.rows,
+            equations: self.counts.equations,
             hold_out: Vec::new(),
         })
     }
@@ -199,15 +198,16 @@ impl Penalised {
     fn solve_directly(&self, weights: &DVector<f64>) -> Result<Solution, FitError> {
         let parameters = self.a.ncols();
         let mut triangle = Triangle::new(parameters);
-        let mut block = DMatrix::zeros(2 * parameters, parameters + 1);
-        block.view_mut((0, 0), (parameters, parameters)).copy_from(&self.a);
-        block.view_mut((0, parameters), (parameters, 1)).copy_from(&self.b);
+        let rows = self.a.nrows();
+        let mut block = DMatrix::zeros(rows + parameters, parameters + 1);
+        block.view_mut((0, 0), (rows, parameters)).copy_from(&self.a);
+        block.view_mut((0, parameters), (rows, 1)).copy_from(&self.b);
         for (i, weight) in weights.iter().enumerate() {
-            block[(parameters + i, i)] = weight.sqrt();
+            block[(rows + i, i)] = weight.sqrt();
         }
         triangle.absorb(&mut block);
         let factor =
-            Factor::new(&triangle, f64::EPSILON * count(self.equations.rows.max(parameters)))?;
+            Factor::new(&triangle, f64::EPSILON * count(self.counts.equations.max(parameters)))?;
         let variables = factor.solve(&triangle.right_hand_side()).as_slice().to_vec();
         Ok(Solution { variables, dual_objective: 0.0, status: Status::Solved, iterations: 0 })
     }

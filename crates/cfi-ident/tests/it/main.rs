@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 
+mod engines;
 mod limits;
 mod noise_free;
 mod planted;
