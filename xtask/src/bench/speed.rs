@@ -171,8 +171,8 @@ fn block_hankel(bench: &Bench, noisy: &Channels) -> Result<Vec<Block>, TaskError
         rows.push(TimeRow::peer(what, &pieces, remark));
     }
     let note = "IB01AD is SLICOT's, with MOESP and no inputs; its matrix has 2 NOBR block rows, so that NOBR is half of ours, and it also factors the matrix and \
-                takes its singular values. The records carry noise, since without any its fast algorithms fail and the slow one takes over. It is called as its manual has it, with the whole record; handed over in blocks of 20 000 samples, which stay in the cache, \
-                the same sums are much quicker, and those rows are the measure of plain double precision.";
+                takes its singular values. The records carry noise, since without any its fast algorithms fail and the slow one takes over. It is called as its manual has it, with the whole record. The rows of IB01MD are its sums and their factor alone, \
+                with the record handed over in blocks of 20 000 samples, which stay in the cache: the measure of plain double precision.";
     Ok(vec![
         Block::paragraph(note),
         asked_and_reached("Block-Hankel Gram matrices, N = 1e6: asked and reached", &asked)?,
