@@ -115,7 +115,6 @@ def ib01md_blocks(samples, block_rows, algorithm, runs, *channels):
 def judged(seconds, warning, info):
     if info != 0:
         raise ValueError(f"SLICOT returns info = {info}")
-    # A warning of 2 says that the fast algorithm failed and that the slow one was used.
     return {"seconds": seconds, "warning": int(warning)}
 
 

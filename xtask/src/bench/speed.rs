@@ -171,7 +171,8 @@ fn block_hankel(bench: &Bench, noisy: &Channels) -> Result<Vec<Block>, TaskError
         rows.push(TimeRow::peer(what, &pieces, remark));
     }
     let note = "IB01AD is SLICOT's, with MOESP and no inputs; its matrix has 2 NOBR block rows, so that NOBR is half of ours, and it also factors the matrix and \
-                takes its singular values. The records carry noise, since without any its fast algorithms fail and the slow one takes over. It is called as its manual has it, with the whole record. The rows of IB01MD are its sums and their factor alone, \
+                takes its singular values. The records carry noise, since without any Cholesky gives way to the slow QR, and the fast QR to an error. \
+                It is called as its manual has it, with the whole record. The rows of IB01MD are its sums and their factor alone, \
                 with the record handed over in blocks of 20 000 samples, which stay in the cache: the measure of plain double precision.";
     Ok(vec![
         Block::paragraph(note),
@@ -193,7 +194,7 @@ fn slicot_remark(answer: &Answer, block_rows: usize) -> String {
     let half = format!("NOBR = {}", block_rows / 2);
     match answer {
         Answer::Measured { warning, .. } if *warning != 0 => {
-            format!("{half}; warning {warning}: the slow algorithm took over")
+            format!("{half}; warning {warning}")
         }
         _ => half,
     }
