@@ -1,6 +1,6 @@
 //! The engine that sums lag products: one pass over the data, whatever the number of parameters.
 
-use hankel::{LeastSquares, Options};
+use hankel::{Layout, LeastSquares, Options};
 #[cfg(feature = "regularized")]
 use nalgebra::{DMatrix, DVector};
 
@@ -24,7 +24,7 @@ pub(crate) fn solve(
 ) -> Result<Solution, FitError> {
     let layout = layout(structure);
     let summing = Options { threads: options.threads, ..Options::default() };
-    let gram = sums(segments, structure, &summing)?;
+    let gram = sums(segments, &layout, &summing)?;
     let target = structure.parameter_count();
     let found = gram.least_squares(target, options.rank_tolerance).map_err(from_hankel)?;
     let hidden = found.relative_residual < RESIDUAL_MARGIN * gram.rounding().sqrt();
@@ -42,10 +42,10 @@ pub(crate) fn solve(
 /// The Gram matrix of [Phi' Psi'] without the signs.
 pub(crate) fn sums(
     segments: &[Segment<'_>],
-    structure: &Structure,
+    layout: &Layout,
     options: &Options,
 ) -> Result<hankel::Gram, FitError> {
-    let mut sums = hankel::Accumulator::new(&layout(structure), options).map_err(from_hankel)?;
+    let mut sums = hankel::Accumulator::new(layout, options).map_err(from_hankel)?;
     for segment in segments {
         sums.push(&[segment.input(), segment.output()]).map_err(from_hankel)?;
         sums.gap();
@@ -103,7 +103,7 @@ pub(crate) struct Reduced {
 pub(crate) fn reduce(segments: &[Segment<'_>], structure: &Structure) -> Result<Reduced, FitError> {
     use crate::regressors::{exponent, scale};
     let target = structure.parameter_count();
-    let gram = sums(segments, structure, &Options::default())?;
+    let gram = sums(segments, &layout(structure), &Options::default())?;
     let found = gram.least_squares(target, None).map_err(from_hankel)?;
     let norms = found.factor.norms();
     let output_exponent = exponent(found.target_norm);

@@ -2,7 +2,7 @@
 
 use pulp::Arch;
 
-use crate::{HankelError, Layout};
+use crate::{HankelError, Layout, scan::AllFinite};
 
 /// What a NaN means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -24,11 +24,8 @@ pub(crate) fn pieces(
     let arch = Arch::new();
     let mut gaps = Vec::new();
     for (channel, samples) in record.iter().enumerate() {
-        // An exponent of all ones. This loop vectorises; only if it finds one are they looked for.
-        let largest = arch.dispatch(|| {
-            samples.iter().fold(0, |largest: u64, x| largest.max(x.to_bits() & !(1 << 63)))
-        });
-        if largest < f64::INFINITY.to_bits() {
+        // Only if there is one are they looked for.
+        if arch.dispatch(AllFinite(samples)) {
             continue;
         }
         for (sample, value) in samples.iter().enumerate().filter(|(_, x)| !x.is_finite()) {

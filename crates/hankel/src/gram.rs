@@ -69,25 +69,29 @@ impl Gram {
     /// The largest standard deviation of an entry over the size of its two columns.
     fn relative(&self, variances: &[f64]) -> f64 {
         let (height, width) = self.shape();
-        // In one unit for all entries.
-        let exponent = |i: usize, j: usize| self.left_exponents[i] + self.right_exponents[j];
-        let each = || (0..width).flat_map(|j| (0..height).map(move |i| (i, j)));
-        let unit = each().map(|(i, j)| exponent(i, j)).max().unwrap_or(0);
-        let in_unit = |x: f64, i: usize, j: usize| x * power_of_two(exponent(i, j) - unit);
-        let modulus = |(i, j): (usize, usize)| in_unit(self.at(i, j).value().abs(), i, j);
-        let largest = each().map(modulus).fold(0.0, f64::max);
-        let relative = |(i, j): (usize, usize)| {
-            let deviation = variances[i + j * height].sqrt();
-            match self.symmetric {
-                true => (deviation, (self.at(i, i).value() * self.at(j, j).value()).sqrt()),
-                false => (in_unit(deviation, i, j), largest),
-            }
+        let worst = if self.symmetric {
+            let norm = |i| self.at(i, i).value().max(0.0);
+            let inverse = |square: f64| if square > 0.0 { square.recip() } else { 0.0 };
+            let inverses: Vec<f64> = (0..height).map(|i| inverse(norm(i))).collect();
+            let columns = variances.chunks_exact(height).zip(&inverses);
+            columns
+                .flat_map(|(column, own)| {
+                    column.iter().zip(&inverses).map(move |(v, i)| v * i * own)
+                })
+                .fold(0.0, f64::max)
+        } else {
+            // In one unit for all entries.
+            let exponent = |i: usize, j: usize| self.left_exponents[i] + self.right_exponents[j];
+            let each = || (0..width).flat_map(|j| (0..height).map(move |i| (i, j)));
+            let unit = each().map(|(i, j)| exponent(i, j)).max().unwrap_or(0);
+            let factor = |i: usize, j: usize| power_of_two(exponent(i, j) - unit);
+            let modulus = |(i, j)| self.at(i, j).value().abs() * factor(i, j);
+            let largest = each().map(modulus).fold(0.0, f64::max);
+            let variance = |(i, j)| variances[i + j * height] * factor(i, j).powi(2);
+            let worst = each().map(variance).fold(0.0, f64::max);
+            if largest > 0.0 { worst / (largest * largest) } else { 0.0 }
         };
-        let worst = each()
-            .map(relative)
-            .filter(|(_, size)| *size > 0.0)
-            .fold(0.0, |worst: f64, (deviation, size)| worst.max(deviation / size));
-        worst.max(f64::EPSILON * f64::EPSILON)
+        worst.sqrt().max(f64::EPSILON * f64::EPSILON)
     }
 
     /// Left and right columns.

@@ -57,6 +57,7 @@ mod least_squares;
 mod plan;
 mod residual;
 mod scale;
+mod scan;
 mod segment;
 mod sums;
 mod tile;

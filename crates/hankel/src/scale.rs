@@ -8,8 +8,12 @@ pub(crate) fn exponent(magnitude: f64) -> i32 {
 
 /// Two to a power; zero or infinite where a double ends.
 pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    let half = exponent.clamp(-2200, 2200) / 2;
-    2.0_f64.powi(half) * 2.0_f64.powi(exponent.clamp(-2200, 2200) - half)
+    match exponent {
+        -1022..=1023 => f64::from_bits(u64::from((exponent + 1023).unsigned_abs()) << 52),
+        1024.. => f64::INFINITY,
+        -1074..=-1023 => f64::from_bits(1 << (exponent + 1074)),
+        _ => 0.0,
+    }
 }
 
 /// `value * 2^exponent` without intermediate overflow.
@@ -19,7 +23,7 @@ pub(crate) fn scaled(value: f64, exponent: i32) -> f64 {
     let mut result = value;
     while left != 0 {
         let step = left.clamp(-1000, 1000);
-        result *= 2.0_f64.powi(step);
+        result *= power_of_two(step);
         left -= step;
     }
     result

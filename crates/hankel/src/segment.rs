@@ -5,7 +5,7 @@
 //! subtracted, so that signals that grow or decay by many decades lose nothing.
 
 use doubled::DoubleDouble;
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::{
     Layout,
@@ -115,7 +115,7 @@ impl Segment {
         result.exponents.clone_from(&core.exponents);
         result.seen.clone_from(&core.seen);
         result.variances.clone_from(&core.variances);
-        arch.dispatch(|| ends.fill(layout, &core, &mut result));
+        arch.dispatch(Fill { ends, layout, core: &core, result: &mut result });
         result
     }
 }
@@ -135,6 +135,24 @@ fn add_tiles(
         jobs.iter().map(|(from, length)| bench.sums(plan, source, *from, *length, arch)).collect()
     };
     in_order(jobs, threads, work, |tile| sums.add_tile(tile, plan));
+}
+
+/// Everything that the entries are made of.
+struct Fill<'a> {
+    ends: Ends<'a>,
+    layout: &'a Layout,
+    core: &'a Sums,
+    result: &'a mut Sums,
+}
+
+impl WithSimd for Fill<'_> {
+    type Output = ();
+
+    /// For the fused multiply-adds: a loop without vectors.
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.ends.fill(self.layout, self.core, self.result);
+    }
 }
 
 /// The first and the last samples of a segment, scaled.

@@ -6,6 +6,7 @@ use crate::{
     kernel::{BACK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
     plan::{BLOCK, Plan},
     scale::{exponent, power_of_two},
+    scan::{Largest, Multiply},
 };
 
 /// Where the samples of a tile come from: those kept from before, followed by new ones, for each channel.
@@ -49,6 +50,7 @@ pub(crate) struct TileSums {
 #[derive(Debug)]
 pub(crate) struct Bench {
     span: usize,
+    raw: Vec<f64>,
     x: Vec<Vec<f64>>,
     y: Vec<Vec<f64>>,
 }
@@ -57,6 +59,7 @@ impl Bench {
     pub(crate) fn new(channels: usize, span: usize) -> Self {
         Self {
             span,
+            raw: vec![0.0; TILE + 2 * span],
             x: vec![vec![0.0; FRONT + TILE + BACK]; channels],
             y: vec![vec![0.0; TILE + 2 * span + SLACK]; channels],
         }
@@ -83,19 +86,17 @@ impl Bench {
             chunks: count(length.div_ceil(CHUNK)),
         };
         for (channel, (x, y)) in self.x.iter_mut().zip(&mut self.y).enumerate() {
-            let (used, behind) = y.split_at_mut(window);
-            source.copy(channel, from - span, used);
-            x[FRONT..FRONT + length].copy_from_slice(&used[span..span + length]);
-            x[FRONT + length..].fill(0.0);
-            behind.fill(0.0);
+            let raw = &mut self.raw[..window];
+            source.copy(channel, from - span, raw);
             // Each in its own unit: where a signal grows, the samples ahead are larger.
-            sums.x_exponents[channel] = normalise(&mut x[FRONT..FRONT + length], arch);
+            sums.x_exponents[channel] =
+                normalised(&raw[span..span + length], &mut x[FRONT..], arch);
+            x[FRONT + length..].fill(0.0);
             let (first, last) = plan.reach(channel);
-            let (before, used) = used.split_at_mut(span.wrapping_add_signed(first));
-            let (used, after) = used.split_at_mut(length + last.abs_diff(first));
-            before.fill(0.0);
-            after.fill(0.0);
-            sums.y_exponents[channel] = normalise(used, arch);
+            let used = span.wrapping_add_signed(first)..(span + length).wrapping_add_signed(last);
+            y[..used.start].fill(0.0);
+            y[used.end..].fill(0.0);
+            sums.y_exponents[channel] = normalised(&raw[used.clone()], &mut y[used.start..], arch);
             arch.dispatch(PlainSum {
                 numbers: &x[FRONT..FRONT + length.next_multiple_of(BLOCK)],
                 high: &mut sums.channel_high[channel],
@@ -118,32 +119,24 @@ impl Bench {
     }
 }
 
-/// Multiplies by a power of two that brings the largest modulus to between one half and one; gives the exponent that undoes it.
-pub(crate) fn normalise(samples: &mut [f64], arch: Arch) -> Option<i32> {
-    let exponent = exponent_of(samples, arch)?;
-    let factor = power_of_two(-exponent);
-    arch.dispatch(|| samples.iter_mut().for_each(|x| *x *= factor));
-    Some(exponent)
+/// Copies samples times the power of two that brings the largest modulus to between one half and one; gives the exponent that undoes it.
+pub(crate) fn normalised(samples: &[f64], into: &mut [f64], arch: Arch) -> Option<i32> {
+    let exponent = exponent_of(samples, arch);
+    let factor = power_of_two(-exponent.unwrap_or(0));
+    arch.dispatch(Multiply { samples, factor, into });
+    exponent
 }
 
 /// The smallest exponent with every sample below two to it in modulus; `None` if all are zero.
 pub(crate) fn exponent_of(samples: &[f64], arch: Arch) -> Option<i32> {
-    let largest = arch.dispatch(|| {
-        samples.iter().fold(0, |largest: u64, x| largest.max(x.to_bits() & !(1 << 63)))
-    });
-    (largest > 0).then(|| exponent(f64::from_bits(largest)) + 1)
+    let largest = arch.dispatch(Largest(samples));
+    (largest > 0.0).then(|| exponent(largest) + 1)
 }
 
 /// The samples times two to a power.
 pub(crate) fn scaled_by(samples: &[f64], exponent: i32) -> Vec<f64> {
     let factor = power_of_two(exponent);
     samples.iter().map(|x| x * factor).collect()
-}
-
-/// Writes the samples times two to a power to the start of the target.
-pub(crate) fn scaled_into(samples: &[f64], exponent: i32, target: &mut [f64], arch: Arch) {
-    let factor = power_of_two(exponent);
-    arch.dispatch(|| target.iter_mut().zip(samples).for_each(|(y, x)| *y = x * factor));
 }
 
 /// A count as a number.
