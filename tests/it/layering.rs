@@ -15,7 +15,10 @@ const ALLOWED: [(&str, &[&str]); 12] = [
     ("reconstruct", &["cfi-ident", "era", "lti", "poly"]),
     ("report", &[]),
     ("transmode", &["aircraft", "cfi-ident", "lti", "reconstruct", "report"]),
-    ("xtask", &["aircraft", "cfi-ident", "lti", "poly", "reconstruct", "report", "transmode"]),
+    (
+        "xtask",
+        &["aircraft", "cfi-ident", "hankel", "lti", "poly", "reconstruct", "report", "transmode"],
+    ),
     ("tests", &[]),
 ];
 

@@ -1,5 +1,6 @@
-//! The project's own tasks: reproduce the paper, keep the tree tidy.
+//! The project's own tasks: reproduce the paper, measure speed and accuracy, keep the tree tidy.
 
+mod bench;
 mod error;
 mod reproduce;
 mod tidy;
@@ -23,6 +24,7 @@ struct Args {
 #[derive(Debug, Subcommand)]
 enum Task {
     Reproduce(reproduce::Args),
+    Bench(bench::Args),
     /// Check what the compiler cannot: equation marks against docs/equations.md, the shape of source files.
     Tidy,
 }
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
     let mut out = std::io::stdout().lock();
     let result = match &args.task {
         Task::Reproduce(args) => reproduce::run(&root(), args, &mut out),
+        Task::Bench(args) => bench::run(&root(), args, &mut out),
         Task::Tidy => tidy::run(&root(), &mut out),
     };
     match result {

@@ -6,11 +6,11 @@ mod composite_models;
 mod errata;
 mod example_4_1;
 mod example_4_2;
-mod flight;
+pub(crate) mod flight;
 mod iir_models;
 mod picture;
 mod reconstruction;
-mod reference;
+pub(crate) mod reference;
 mod results;
 
 use std::io::Write;

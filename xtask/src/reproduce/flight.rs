@@ -35,19 +35,33 @@ pub(crate) const SENSORS: [LateralState; 3] =
 
 impl Flight {
     pub(crate) fn simulate() -> Result<Self, TaskError> {
-        let model =
-            LateralModel::new(catalog::PAPER_AIRCRAFT.derivatives, catalog::PAPER_AIRCRAFT.inertia)
-                .map_err(TaskError::computation("aircraft"))?;
-        let continuous = model
-            .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &SENSORS)
-            .map_err(TaskError::computation("aircraft"))?;
-        let period = SamplePeriod::new(PERIOD_S).map_err(TaskError::computation("aircraft"))?;
-        let discrete = continuous.zoh(period).map_err(TaskError::computation("aircraft"))?;
+        let Aircraft { model, continuous, discrete } = sampled_aircraft()?;
         let records = [record("aileron", 0, &discrete)?, record("rudder", 1, &discrete)?];
         let result = as_printed(&records, &AsPrintedOptions::default())
             .map_err(TaskError::computation("reconstruction"))?;
         Ok(Self { model, continuous, discrete, records, result })
     }
+}
+
+/// The paper's aircraft with its two surfaces and three sensors.
+pub(crate) struct Aircraft {
+    pub(crate) model: LateralModel,
+    pub(crate) continuous: StateSpace<Continuous>,
+    pub(crate) discrete: StateSpace<Discrete>,
+}
+
+/// The model, in continuous time and sampled. Inputs aileron and rudder, outputs sideslip, roll rate, yaw rate.
+pub(crate) fn sampled_aircraft() -> Result<Aircraft, TaskError> {
+    const PART: &str = "aircraft";
+    let model =
+        LateralModel::new(catalog::PAPER_AIRCRAFT.derivatives, catalog::PAPER_AIRCRAFT.inertia)
+            .map_err(TaskError::computation(PART))?;
+    let continuous = model
+        .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &SENSORS)
+        .map_err(TaskError::computation(PART))?;
+    let period = SamplePeriod::new(PERIOD_S).map_err(TaskError::computation(PART))?;
+    let discrete = continuous.zoh(period).map_err(TaskError::computation(PART))?;
+    Ok(Aircraft { model, continuous, discrete })
 }
 
 /// A record from rest with white Gaussian excitation of unit variance through one input.
