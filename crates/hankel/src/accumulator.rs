@@ -123,7 +123,14 @@ impl Accumulator {
     ///
     /// [`HankelError::WrongChannelCount`], [`HankelError::UnequalLengths`], [`HankelError::NotFinite`]. Nothing has been added then.
     pub fn push(&mut self, record: &[&[f64]]) -> Result<(), HankelError> {
+        self.layout.samples(record)?;
         let arch = Arch::new();
+        // Most records are finite throughout, and the sums see that in passing. Only if not does it matter where.
+        let mut trial = self.open.clone();
+        if trial.push(&self.layout, record, self.options.threads, arch) {
+            self.open = trial;
+            return Ok(());
+        }
         for (index, (from, to)) in
             pieces(&self.layout, record, self.options.missing)?.into_iter().enumerate()
         {

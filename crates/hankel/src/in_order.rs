@@ -1,7 +1,7 @@
 //! Work shared between threads whose results are taken in the order of the jobs.
 
 /// Jobs that a thread does before the results are taken.
-const ROUND: usize = 64;
+const ROUND: usize = 128;
 
 /// Fewer jobs than this are not worth a thread.
 const SHARE: usize = 4;

@@ -12,6 +12,7 @@ use crate::{
     in_order::in_order,
     kernel::TILE,
     plan::Entry,
+    scan::AllFinite,
     sums::Sums,
     tile::{Bench, Source, TileSums, exponent_of, scaled_by},
 };
@@ -56,8 +57,14 @@ impl Segment {
         self.kept.iter().map(|kept| &kept[kept.len() - count.min(kept.len())..]).collect()
     }
 
-    /// Adds checked samples.
-    pub(crate) fn push(&mut self, layout: &Layout, record: &[&[f64]], threads: usize, arch: Arch) {
+    /// Adds samples. If that returns `false`, some are not finite, and the segment means nothing any more.
+    pub(crate) fn push(
+        &mut self,
+        layout: &Layout,
+        record: &[&[f64]],
+        threads: usize,
+        arch: Arch,
+    ) -> bool {
         let span = layout.span();
         let new = record.first().map_or(0, |channel| channel.len());
         for (head, channel) in self.head.iter_mut().zip(record) {
@@ -68,14 +75,17 @@ impl Segment {
         let tiles = self.samples.saturating_sub(self.core + 2 * span) / TILE;
         let source = Source { kept: &self.kept, new: record };
         let jobs: Vec<(usize, usize)> = (0..tiles).map(|i| (span + i * TILE, TILE)).collect();
-        add_tiles(&mut self.sums, layout, &source, &jobs, threads, arch);
+        let mut finite = add_tiles(&mut self.sums, layout, &source, &jobs, threads, arch);
         let done = tiles * TILE;
         self.core += done;
         for (kept, channel) in self.kept.iter_mut().zip(record) {
             let old = done.min(kept.len());
             kept.drain(..old);
-            kept.extend_from_slice(&channel[done - old..]);
+            let rest = &channel[done - old..];
+            finite &= arch.dispatch(AllFinite(rest));
+            kept.extend_from_slice(rest);
         }
+        finite
     }
 
     /// The entries and the sums of columns of this segment as it stands.
@@ -120,7 +130,7 @@ impl Segment {
     }
 }
 
-/// Computes tiles, in parallel if there are many, and adds them in their order.
+/// Computes tiles, in parallel if there are many, and adds them in their order; whether all samples were finite.
 fn add_tiles(
     sums: &mut Sums,
     layout: &Layout,
@@ -128,13 +138,18 @@ fn add_tiles(
     jobs: &[(usize, usize)],
     threads: usize,
     arch: Arch,
-) {
+) -> bool {
     let plan = layout.plan();
     let work = |jobs: &[(usize, usize)]| -> Vec<TileSums> {
         let mut bench = Bench::new(layout.channels(), layout.span());
         jobs.iter().map(|(from, length)| bench.sums(plan, source, *from, *length, arch)).collect()
     };
-    in_order(jobs, threads, work, |tile| sums.add_tile(tile, plan));
+    let mut finite = true;
+    in_order(jobs, threads, work, |tile| {
+        finite &= tile.finite;
+        sums.add_tile(tile, plan);
+    });
+    finite
 }
 
 /// Everything that the entries are made of.

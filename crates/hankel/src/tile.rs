@@ -6,7 +6,7 @@ use crate::{
     kernel::{BACK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
     plan::{BLOCK, Plan},
     scale::{exponent, power_of_two},
-    scan::{Largest, Multiply},
+    scan::{AllFinite, Largest, Multiply},
 };
 
 /// Where the samples of a tile come from: those kept from before, followed by new ones, for each channel.
@@ -42,6 +42,8 @@ pub(crate) struct TileSums {
     /// The sum of each channel's samples, in [`BLOCK`] parts.
     pub(crate) channel_high: Vec<[f64; BLOCK]>,
     pub(crate) channel_low: Vec<[f64; BLOCK]>,
+    /// Whether all samples that were read are finite; nothing else means anything otherwise.
+    pub(crate) finite: bool,
     /// Number of chunks that each sum ran through, about.
     pub(crate) chunks: f64,
 }
@@ -83,11 +85,13 @@ impl Bench {
             low: vec![0.0; plan.sums],
             channel_high: vec![[0.0; BLOCK]; self.y.len()],
             channel_low: vec![[0.0; BLOCK]; self.y.len()],
+            finite: true,
             chunks: count(length.div_ceil(CHUNK)),
         };
         for (channel, (x, y)) in self.x.iter_mut().zip(&mut self.y).enumerate() {
             let raw = &mut self.raw[..window];
             source.copy(channel, from - span, raw);
+            sums.finite &= arch.dispatch(AllFinite(raw));
             // Each in its own unit: where a signal grows, the samples ahead are larger.
             sums.x_exponents[channel] =
                 normalised(&raw[span..span + length], &mut x[FRONT..], arch);
