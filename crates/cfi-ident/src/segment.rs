@@ -61,8 +61,24 @@ impl<'a> Segment<'a> {
 
 /// Refuses NaN and infinities.
 pub(crate) fn check_finite(values: &[f64], signal: Signal) -> Result<(), FitError> {
-    match values.iter().position(|value| !value.is_finite()) {
-        Some(index) => Err(FitError::NotFinite { signal, index, value: values[index] }),
-        None => Ok(()),
+    // An exponent of all ones carries into the sign. Blocks without one are passed over by a loop that vectorises.
+    const EXPONENT: u64 = f64::INFINITY.to_bits();
+    const LOWEST: u64 = f64::MIN_POSITIVE.to_bits();
+    let carried = |x: &f64| (x.to_bits() & EXPONENT) + LOWEST;
+    for (block, values) in values.chunks(BLOCK).enumerate() {
+        if values.iter().fold(0, |all, x| all | carried(x)) >> 63 == 0 {
+            continue;
+        }
+        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+            let value = values[index];
+            return Err(FitError::NotFinite { signal, index: block * BLOCK + index, value });
+        }
     }
+    Ok(())
 }
+
+/// Samples that are checked at once.
+const BLOCK: usize = 1024;
+
+#[cfg(test)]
+mod tests;

@@ -13,7 +13,7 @@
 
 mod pass;
 
-use crate::{HankelError, Layout, LeastSquares, Options, gaps::pieces};
+use crate::{HankelError, Layout, LeastSquares, Missing, Options, gaps::pieces};
 use pass::{Pass, Residual};
 
 /// A correction relative to the solution that is rounding.
@@ -71,7 +71,13 @@ impl LeastSquares {
         }
         let mut all: Vec<Vec<&[f64]>> = Vec::new();
         for segment in segments {
-            for (from, to) in pieces(layout, segment, options.missing)? {
+            // Without gaps they have been found finite when they were summed; that is checked again only if something is not.
+            let whole = layout.samples(segment)?;
+            let stretches = match options.missing {
+                Missing::Refuse => vec![(0, whole)],
+                Missing::Gap => pieces(layout, segment, options.missing)?,
+            };
+            for (from, to) in stretches {
                 all.push(segment.iter().map(|channel| &channel[from..to]).collect());
             }
         }
@@ -84,6 +90,9 @@ impl LeastSquares {
         };
         let mut best = self.clone();
         let mut state = pass.run(&best.scaled);
+        if !state.squares.is_finite() {
+            segments.iter().try_for_each(|s| pieces(layout, s, options.missing).map(|_| ()))?;
+        }
         // Rounding r to doubles moves the solution by its norm times the rounding unit over the smallest singular value.
         let moved = state.squares.sqrt() * self.factor.condition();
         if moved > self.factor.scaled_norm(&best.scaled) {

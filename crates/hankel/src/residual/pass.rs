@@ -76,7 +76,7 @@ impl Pass<'_> {
                 *sum += *new;
             }
         });
-        State { squares: squares.value().max(0.0), gradient }
+        State { squares: squares.value(), gradient }
     }
 }
 

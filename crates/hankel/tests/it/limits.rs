@@ -136,8 +136,18 @@ fn zeros_are_fine() {
     let found = gram(&layout, &[&late, &zeros], &Options::default()).unwrap();
     assert_eq!(found.matrix().unwrap()[(0, 0)], 9.0);
     let refined = found.least_squares(1, None).unwrap();
-    let refined = refined.refined(&layout, &[&late, &zeros], &Options::default(), 2).unwrap();
-    assert_eq!(refined.coefficients, [0.0]);
+    let again = refined.refined(&layout, &[&late, &zeros], &Options::default(), 2).unwrap();
+    assert_eq!(again.coefficients, [0.0]);
+    late[7] = f64::NAN;
+    let bad = refined.refined(&layout, &[&late, &zeros], &Options::default(), 2);
+    assert!(message(bad).contains("sample 7 of channel 0 is NaN"));
+    let other = refined.refined(
+        &Layout::block_hankel(2, 3).unwrap(),
+        &[&zeros, &zeros],
+        &Options::default(),
+        2,
+    );
+    assert_eq!(message(other), HankelError::DifferentLayouts.to_string());
 }
 
 #[test]
