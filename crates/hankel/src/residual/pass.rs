@@ -11,6 +11,7 @@ use crate::{
     layout::signed,
     plan::BLOCK,
     scale::{exponent, power_of_two, scaled},
+    scan::AllFinite,
     sums::times,
     tile::normalised,
 };
@@ -48,6 +49,7 @@ struct Job {
 
 /// What one stretch of rows contributes.
 struct Part {
+    /// Not a number if a sample is none.
     squares: f64,
     gradient: Vec<DoubleDouble>,
 }
@@ -140,10 +142,15 @@ impl Bench {
     fn part(&mut self, pass: &Pass<'_>, solution: &[f64], job: &Job, arch: Arch) -> Part {
         let layout = pass.layout;
         let window = job.rows + layout.span();
+        let mut finite = true;
         for (channel, samples) in self.samples.iter_mut().enumerate() {
             let source = &pass.segments[job.segment][channel][job.row..job.row + window];
+            finite &= arch.dispatch(AllFinite(source));
             self.exponents[channel] = normalised(source, samples, arch);
             samples[window..].fill(0.0);
+        }
+        if !finite {
+            return Part { squares: f64::NAN, gradient: vec![DoubleDouble::ZERO; solution.len()] };
         }
         let unit = self.combine(pass, solution, job, arch);
         let squares = sum_of_squares(&self.residual[..job.rows]) * power_of_two(2 * unit);
