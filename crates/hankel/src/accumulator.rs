@@ -160,8 +160,18 @@ impl Accumulator {
     /// Adds the rows of a segment.
     fn close(&mut self, segment: &Segment) {
         let entries = segment.entries(&self.layout, Arch::new());
-        self.closed.add(&entries, self.layout.plan().entry_owners());
+        self.closed = self.with_closed(entries);
         self.closed_rows += self.layout.rows(segment.samples());
+    }
+
+    /// These entries on top of those of the segments that are closed.
+    fn with_closed(&self, entries: Sums) -> Sums {
+        if self.closed_rows == 0 {
+            return entries;
+        }
+        let mut all = self.closed.clone();
+        all.add(&entries, self.layout.plan().entry_owners());
+        all
     }
 
     /// Adds what another accumulator has seen, as if its samples had been pushed here: across a gap, or without one.
@@ -230,11 +240,11 @@ impl Accumulator {
                 needed: self.layout.span() + 1,
             });
         }
-        let mut all = self.closed.clone();
-        if self.open.samples() > 0 {
-            let open = self.open.entries(&self.layout, Arch::new());
-            all.add(&open, self.layout.plan().entry_owners());
-        }
+        let all = if self.open.samples() > 0 {
+            self.with_closed(self.open.entries(&self.layout, Arch::new()))
+        } else {
+            self.closed.clone()
+        };
         Ok(Gram::new(&self.layout, &all, self.rows()))
     }
 }

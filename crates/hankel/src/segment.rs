@@ -11,7 +11,6 @@ use crate::{
     Layout,
     in_order::in_order,
     kernel::TILE,
-    plan::Entry,
     scan::AllFinite,
     sums::Sums,
     tile::{Bench, Source, TileSums, exponent_of, scaled_by},
@@ -190,13 +189,6 @@ impl Ends<'_> {
         }
     }
 
-    #[inline(always)]
-    fn product(&self, layout: &Layout, entry: &Entry, m: usize) -> DoubleDouble {
-        let pair = &layout.plan().pairs[entry.pair];
-        let y = m.wrapping_add_signed(entry.lag);
-        DoubleDouble::product(self.sample(pair.x, m), self.sample(pair.y, y))
-    }
-
     /// Adds the ends to the core. Entries of one sum are neighbours with ascending starts, and share what they have in common.
     #[inline(always)]
     fn fill(&self, layout: &Layout, core: &Sums, result: &mut Sums) {
@@ -206,12 +198,14 @@ impl Ends<'_> {
         for users in plan.entries.chunk_by(|a, b| a.sum == b.sum) {
             let values = &mut result.products[done..done + users.len()];
             done += users.len();
+            let pair = &plan.pairs[users[0].pair];
+            let lag = users[0].lag;
+            let head = Products::new(self.head, (pair.x, pair.y), lag, 0);
             if rows <= span {
+                // Short segments are all head.
                 for (value, entry) in values.iter_mut().zip(users) {
                     let mut total = Total::default();
-                    for m in entry.start..entry.start + rows {
-                        total.add(self.product(layout, entry, m));
-                    }
+                    head.each(entry.start..entry.start + rows, |product| total.add(product));
                     *value = total.value();
                 }
                 continue;
@@ -220,19 +214,17 @@ impl Ends<'_> {
             let mut left = Total::default();
             let mut from = span;
             for (value, entry) in values.iter_mut().zip(users).rev() {
-                while from > entry.start {
-                    from -= 1;
-                    left.add(self.product(layout, entry, from));
-                }
+                head.each((entry.start..from).rev(), |product| left.add(product));
+                from = entry.start;
                 *value = core + left.value();
             }
+            let from = rows - self.first_kept;
+            let tail = Products::new(self.tail, (pair.x, pair.y), lag, from);
             let mut right = Total::default();
             let mut to = 0;
             for (value, entry) in values.iter_mut().zip(users) {
-                while to < entry.start {
-                    right.add(self.product(layout, entry, rows + to));
-                    to += 1;
-                }
+                tail.each(to..entry.start, |product| right.add(product));
+                to = entry.start;
                 *value += right.value();
             }
         }
@@ -251,6 +243,30 @@ impl Ends<'_> {
                 (rows..rows + start).for_each(&mut add);
                 *value += core.plain[column.channel];
             }
+        }
+    }
+}
+
+/// Products of one pair of channels at one lag.
+struct Products<'a> {
+    x: &'a [f64],
+    y: &'a [f64],
+    lag: isize,
+    from: usize,
+}
+
+impl<'a> Products<'a> {
+    /// Product m is that of x(from + m) and y(from + m + lag).
+    fn new(samples: &'a [Vec<f64>], channels: (usize, usize), lag: isize, from: usize) -> Self {
+        Self { x: &samples[channels.0], y: &samples[channels.1], lag, from }
+    }
+
+    /// Hands over the products at the given m in their order.
+    #[inline(always)]
+    fn each(&self, range: impl Iterator<Item = usize>, mut take: impl FnMut(DoubleDouble)) {
+        for m in range {
+            let m = self.from + m;
+            take(DoubleDouble::product(self.x[m], self.y[m.wrapping_add_signed(self.lag)]));
         }
     }
 }
