@@ -1,6 +1,7 @@
 //! Cholesky's factorisation in doubled precision, with pivoting, and what it says about rank and condition.
 
 use doubled::DoubleDouble;
+use faer::MatRef;
 use nalgebra::DMatrix;
 use pulp::Arch;
 
@@ -48,7 +49,8 @@ impl Gram {
     ///
     /// # Errors
     ///
-    /// [`HankelError::NotSquare`] for a cross product, [`HankelError::BadValue`] for a tolerance outside 0 .. 1.
+    /// [`HankelError::NotSquare`] for a cross product, [`HankelError::BadValue`] for a tolerance outside 0 .. 1,
+    /// [`HankelError::Decomposition`].
     ///
     /// # Example
     ///
@@ -105,7 +107,7 @@ impl Gram {
             norms,
         };
         Arch::new().dispatch(pivoting::Factorise { factor: &mut factor, level });
-        factor.singular_values = singular_values(factor.triangle());
+        factor.singular_values = singular_values(&factor.triangle())?;
         let largest = factor.singular_values.first().copied().unwrap_or(0.0);
         let floor = tolerance.unwrap_or(level) * largest;
         factor.rank = factor.singular_values.iter().take_while(|value| **value > floor).count();
@@ -191,14 +193,16 @@ impl Cholesky {
 }
 
 /// Descending, padded with zeros to one for each column.
-fn singular_values(triangle: DMatrix<f64>) -> Vec<f64> {
-    let columns = triangle.ncols();
-    let mut values: Vec<f64> = if triangle.is_empty() {
+fn singular_values(triangle: &DMatrix<f64>) -> Result<Vec<f64>, HankelError> {
+    let (rows, columns) = triangle.shape();
+    let mut values = if rows == 0 {
         Vec::new()
     } else {
-        triangle.singular_values().as_slice().to_vec()
+        MatRef::from_column_major_slice(triangle.as_slice(), rows, columns)
+            .singular_values()
+            .map_err(|_| HankelError::Decomposition { rows, columns })?
     };
     values.sort_by(|a, b| b.total_cmp(a));
     values.resize(columns, 0.0);
-    values
+    Ok(values)
 }

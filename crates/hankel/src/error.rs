@@ -104,6 +104,14 @@ pub enum HankelError {
         /// Right columns.
         columns: usize,
     },
+    /// A matrix decomposition did not converge.
+    #[error("the singular values of a {rows} x {columns} triangle did not converge")]
+    Decomposition {
+        /// Rows.
+        rows: usize,
+        /// Columns.
+        columns: usize,
+    },
     /// An index or a length that does not fit the matrix.
     #[error("{what} is {found}, and has to be {needed}")]
     BadSize {
