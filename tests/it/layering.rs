@@ -14,7 +14,7 @@ const ALLOWED: [(&str, &[&str]); 12] = [
     ("aircraft", &["lti"]),
     ("reconstruct", &["cfi-ident", "era", "lti", "poly"]),
     ("report", &[]),
-    ("transmode", &["aircraft", "cfi-ident", "lti", "reconstruct", "report"]),
+    ("transmode", &["aircraft", "cfi-ident", "lti", "poly", "reconstruct", "report"]),
     (
         "xtask",
         &["aircraft", "cfi-ident", "hankel", "lti", "poly", "reconstruct", "report", "transmode"],

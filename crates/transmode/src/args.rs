@@ -1,8 +1,12 @@
 //! The command line.
 
+mod fit;
+
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
+
+pub(crate) use fit::FitArgs;
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
@@ -18,6 +22,7 @@ Exit codes: 0 all is well; 1 there is a result, but it cannot be trusted, and th
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Identify(IdentifyArgs),
+    Fit(FitArgs),
 }
 
 /// Names the modes of a system from two or more records of its sensors.

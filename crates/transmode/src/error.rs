@@ -190,6 +190,50 @@ pub enum CommandError {
         /// What is wrong with it.
         why: &'static str,
     },
+    /// One column asked for as both sensors.
+    #[error(
+        "--input and --output both name {column:?}; a transmissibility relates two different sensors"
+    )]
+    SameColumn {
+        /// The column.
+        column: String,
+    },
+    /// The column of time asked for as a sensor.
+    #[error("column {column:?} is time; --input and --output name sensors")]
+    TimeAsSensor {
+        /// The column.
+        column: String,
+    },
+    /// A channel that is no index, or none of the file's.
+    #[error(
+        "{}: {option} {text:?} is none of its channels; they are called by their index, {}",
+        file.display(), indices(*channels)
+    )]
+    NoSuchChannel {
+        /// The file.
+        file: PathBuf,
+        /// `--input` or `--output`.
+        option: &'static str,
+        /// What was asked for.
+        text: String,
+        /// Number of channels in the file.
+        channels: u64,
+    },
+    /// An infinite sample.
+    #[error(
+        "{}, sample {sample} (from 0), column {column}: {value} is not a finite number; repair it, or make it NaN to mark a gap",
+        file.display()
+    )]
+    InfiniteSample {
+        /// The file.
+        file: PathBuf,
+        /// Index of the sample, from 0.
+        sample: u64,
+        /// Index of the channel, from 0.
+        column: String,
+        /// What stands there.
+        value: f64,
+    },
     /// A file whose columns make no record.
     #[error("{}: {message}", file.display())]
     InFile {
@@ -213,6 +257,11 @@ impl CommandError {
 /// `1 field`, `2 fields`.
 fn counted(count: u64, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// `0`, or `0 to 2`.
+fn indices(channels: u64) -> String {
+    if channels > 1 { format!("0 to {}", channels - 1) } else { "0".to_owned() }
 }
 
 fn backward(step_s: f64) -> String {

@@ -5,6 +5,7 @@
 
 mod args;
 mod error;
+mod fit;
 mod identify;
 mod modes;
 mod output;
@@ -70,6 +71,7 @@ pub fn run<W: Into<OsString> + Clone>(
     };
     let result = match args.command {
         args::Command::Identify(args) => identify::run(&args, out),
+        args::Command::Fit(args) => fit::run(&args, out),
     };
     result.unwrap_or_else(|error| {
         // A reader that went away, such as `head`, has what it wanted.

@@ -1,7 +1,14 @@
 //! Files -> records.
 
+pub(crate) mod binary;
+pub(crate) mod blocks;
 mod csv;
+pub(crate) mod format_error;
 mod lines;
+pub(crate) mod npy;
+pub(crate) mod pair;
+pub(crate) mod raw;
+pub(crate) mod runs;
 mod sampling;
 
 use std::fs::File;
@@ -12,7 +19,7 @@ use lti::SamplePeriod;
 use reconstruct::{Channel, Record};
 
 use crate::CommandError;
-use csv::Columns;
+use csv::{Columns, Missing};
 use sampling::{Sampling, sampling};
 
 /// Which columns of a file to use.
@@ -47,7 +54,7 @@ impl Selection {
 pub(crate) fn load(file: &Path, selection: &Selection) -> Result<Record, CommandError> {
     let opened =
         File::open(file).map_err(|source| CommandError::Read { file: file.to_owned(), source })?;
-    let columns = csv::read(file, BufReader::new(opened))?;
+    let columns = csv::read(file, BufReader::new(opened), Missing::IsFault)?;
     record(file, columns, selection)
 }
 
@@ -126,7 +133,7 @@ fn sample_period<R>(
     }
 }
 
-fn in_file(file: &Path, error: &dyn std::error::Error) -> CommandError {
+pub(crate) fn in_file(file: &Path, error: &dyn std::error::Error) -> CommandError {
     CommandError::InFile { file: file.to_owned(), message: error.to_string() }
 }
 

@@ -10,7 +10,7 @@ use crate::CommandError;
 #[derive(Debug)]
 pub(crate) struct Columns<R> {
     pub(crate) names: Vec<String>,
-    /// `values[c][row]`, finite.
+    /// `values[c][row]`, finite, or NaN where it may mark a gap.
     pub(crate) values: Vec<Vec<f64>>,
     source: CountedLines<R>,
 }
@@ -31,8 +31,21 @@ impl<R> Columns<R> {
     }
 }
 
+/// What a NaN in a file means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Missing {
+    /// A fault.
+    IsFault,
+    /// That nothing was recorded there.
+    IsGap,
+}
+
 /// Reads a whole file. `file` is for messages only.
-pub(crate) fn read<R: Read>(file: &Path, source: R) -> Result<Columns<R>, CommandError> {
+pub(crate) fn read<R: Read>(
+    file: &Path,
+    source: R,
+    missing: Missing,
+) -> Result<Columns<R>, CommandError> {
     let mut reader =
         ::csv::ReaderBuilder::new().trim(::csv::Trim::All).from_reader(CountedLines::new(source));
     let header = reader.headers().map(|header| header.iter().map(str::to_owned).collect());
@@ -43,7 +56,9 @@ pub(crate) fn read<R: Read>(file: &Path, source: R) -> Result<Columns<R>, Comman
     while reader.read_record(&mut row).map_err(|error| translate(file, error, reader.get_ref()))? {
         check_quotes(file, place(row.position(), reader.get_ref()), reader.get_ref())?;
         for ((text, name), column) in row.iter().zip(&names).zip(&mut values) {
-            let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+            let is_gap = |number: f64| missing == Missing::IsGap && number.is_nan();
+            let number =
+                text.parse().ok().filter(|number: &f64| number.is_finite() || is_gap(*number));
             column.push(number.ok_or_else(|| CommandError::NotANumber {
                 file: file.to_owned(),
                 line: place(row.position(), reader.get_ref()),

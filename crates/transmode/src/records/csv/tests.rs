@@ -1,7 +1,7 @@
 use super::*;
 
 fn parse(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<Columns<&[u8]>, CommandError> {
-    read(Path::new("f.csv"), text.as_ref())
+    read(Path::new("f.csv"), text.as_ref(), Missing::IsFault)
 }
 
 #[test]

@@ -1,0 +1,66 @@
+//! `transmode fit`: one record -> the transmissibility between two of its sensors.
+
+mod explained;
+mod format;
+mod found;
+mod json;
+mod memory;
+mod progress;
+mod stream;
+mod text;
+mod warning;
+
+use std::io::Write;
+use std::num::NonZero;
+use std::path::Path;
+
+use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
+
+use crate::args::FitArgs;
+use crate::records::format_error::FormatError;
+use crate::records::in_file;
+use crate::{CommandError, Exit, output};
+use format::Format;
+use warning::warnings;
+
+/// Reads the record, fits the model and writes what was found.
+pub(crate) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+    let orders = Orders::new(args.iir, args.causal, args.anticausal)
+        .map_err(|error| CommandError::Reconstruct(error.to_string()))?;
+    let constant_term =
+        if args.constant_term { ConstantTerm::Included } else { ConstantTerm::Omitted };
+    let structure = Structure::new(orders, constant_term);
+    let options = FitOptions { threads: threads(args), ..FitOptions::default() };
+    // The names in a file are trimmed as well.
+    let (input, output) = (args.input.trim(), args.output.trim());
+    if input == output {
+        return Err(CommandError::SameColumn { column: input.to_owned() });
+    }
+
+    let format =
+        Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
+    let found = match format {
+        Format::Csv => {
+            let time = args.time.as_deref().map(str::trim);
+            memory::fit(&args.file, [input, output], time, &structure, &options)?
+        }
+        _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
+        _ => stream::fit(&args.file, format, [input, output], &structure, &options)?,
+    };
+    let warnings = warnings(&found);
+
+    // The file first: if it cannot be written, nothing has been said yet.
+    let standard_output = Path::new("-");
+    if let Some(file) = &args.json {
+        output::write_whole(file, &json::render(&found, &warnings)?, out)?;
+    }
+    if args.json.as_deref() != Some(standard_output) {
+        output::write_whole(standard_output, text::render(&found, &warnings).as_bytes(), out)?;
+    }
+    Ok(if warnings.iter().any(|warning| warning.is_doubt()) { Exit::Doubtful } else { Exit::Fine })
+}
+
+fn threads(args: &FitArgs) -> usize {
+    let all = || std::thread::available_parallelism().map_or(1, NonZero::get);
+    args.threads.map_or_else(all, usize::from)
+}

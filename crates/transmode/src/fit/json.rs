@@ -1,0 +1,129 @@
+//! The fit as JSON: a stable form for other programs.
+
+use cfi_ident::ConstantTerm;
+use poly::Root;
+use serde::Serialize;
+
+use super::found::{Estimate, Found};
+use super::warning::Warning;
+use crate::CommandError;
+
+#[derive(Serialize)]
+struct Output<'a> {
+    schema: u32,
+    file: &'a str,
+    format: &'static str,
+    input: &'a str,
+    output: &'a str,
+    /// `null` where the file does not say it.
+    sample_period_s: Option<f64>,
+    samples: u64,
+    missing_samples: u64,
+    samples_used: usize,
+    segments: usize,
+    segments_without_equation: usize,
+    orders: OrdersOutput,
+    constant_term: bool,
+    equations: usize,
+    rank: usize,
+    degrees_of_freedom: usize,
+    condition: f64,
+    singular_values: &'a [f64],
+    expected_error: f64,
+    residual_norm: f64,
+    residual_rms: f64,
+    relative_residual: f64,
+    noise_variance: Option<f64>,
+    parameters: Vec<ParameterOutput>,
+    /// Each root of D as often as it counts; `null` if they are not known.
+    poles: Option<Vec<Pole>>,
+    warnings: Vec<WarningOutput>,
+}
+
+#[derive(Serialize)]
+struct OrdersOutput {
+    iir: usize,
+    causal: usize,
+    anticausal: usize,
+}
+
+#[derive(Serialize)]
+struct ParameterOutput {
+    name: String,
+    value: f64,
+    /// Standard deviation; `null` where the equations say nothing about it.
+    deviation: Option<f64>,
+    identifiable: bool,
+}
+
+#[derive(Serialize)]
+struct Pole {
+    re: f64,
+    im: f64,
+}
+
+#[derive(Serialize)]
+struct WarningOutput {
+    code: &'static str,
+    text: String,
+}
+
+/// The JSON text, indented, with a line feed at its end.
+pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, CommandError> {
+    let fit = &found.fit;
+    let structure = fit.model.structure();
+    let orders = structure.orders;
+    let output = Output {
+        schema: 1,
+        file: &found.file,
+        format: found.format.name(),
+        input: &found.input,
+        output: &found.output,
+        sample_period_s: found.sample_period_s,
+        samples: found.samples,
+        missing_samples: found.missing,
+        samples_used: fit.samples_used,
+        segments: found.segments,
+        segments_without_equation: fit.segments_without_equation,
+        orders: OrdersOutput {
+            iir: orders.iir(),
+            causal: orders.causal(),
+            anticausal: orders.anticausal(),
+        },
+        constant_term: structure.constant_term == ConstantTerm::Included,
+        equations: fit.equations,
+        rank: fit.rank,
+        degrees_of_freedom: fit.degrees_of_freedom,
+        condition: fit.condition,
+        singular_values: &fit.singular_values,
+        expected_error: fit.expected_error,
+        residual_norm: fit.residual_norm,
+        residual_rms: fit.residual_rms,
+        relative_residual: fit.relative_residual,
+        noise_variance: fit.noise_variance,
+        parameters: found.estimates().iter().map(parameter).collect(),
+        poles: found.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
+        warnings: warnings
+            .iter()
+            .map(|warning| WarningOutput { code: warning.code(), text: warning.to_string() })
+            .collect(),
+    };
+    let mut text = serde_json::to_vec_pretty(&output)
+        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+fn parameter(estimate: &Estimate) -> ParameterOutput {
+    ParameterOutput {
+        name: estimate.parameter.to_string(),
+        value: estimate.value,
+        deviation: estimate.deviation,
+        identifiable: estimate.identifiable,
+    }
+}
+
+fn pole(root: &Root) -> impl Iterator<Item = Pole> {
+    let value = root.value;
+    std::iter::repeat_with(move || Pole { re: value.re, im: value.im }).take(root.multiplicity)
+}

@@ -1,0 +1,137 @@
+//! Records as blocks of numbers: where each sample of each channel lies in the file.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind};
+use std::path::Path;
+
+use super::format_error::FormatError;
+use crate::CommandError;
+
+/// More channels than this are refused: it is an array of channels x samples, and a row of it would fill the memory.
+const MOST_CHANNELS: u64 = 1_000_000;
+
+/// Where the numbers of a record lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Placement {
+    /// Bytes before the first number.
+    offset: u64,
+    samples: u64,
+    channels: u64,
+    order: Order,
+    number: Number,
+}
+
+/// Which numbers are neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// All channels of a sample, then the next sample.
+    SampleBySample,
+    /// All samples of a channel, then the next channel.
+    ChannelByChannel,
+}
+
+/// How a number is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Number {
+    pub(crate) width: Width,
+    pub(crate) ends: Ends,
+}
+
+/// The size of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Width {
+    Four,
+    Eight,
+}
+
+/// Which end of a number comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ends {
+    Little,
+    Big,
+}
+
+impl Placement {
+    /// Numbers that fill a file of `length` bytes from `offset` on.
+    pub(crate) fn new(
+        offset: u64,
+        [samples, channels]: [u64; 2],
+        order: Order,
+        number: Number,
+        length: u64,
+    ) -> Result<Self, FormatError> {
+        if samples == 0 || channels == 0 {
+            return Err(FormatError::Empty);
+        }
+        if channels > MOST_CHANNELS {
+            return Err(FormatError::TooManyChannels { channels, limit: MOST_CHANNELS });
+        }
+        let needed = u128::from(samples) * u128::from(channels) * u128::from(number.width.bytes());
+        let found = length.saturating_sub(offset);
+        if needed != u128::from(found) {
+            return Err(FormatError::Length { samples, channels, needed, found });
+        }
+        Ok(Self { offset, samples, channels, order, number })
+    }
+
+    pub(crate) fn offset(&self) -> u64 {
+        self.offset
+    }
+
+    pub(crate) fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    pub(crate) fn channels(&self) -> u64 {
+        self.channels
+    }
+
+    pub(crate) fn order(&self) -> Order {
+        self.order
+    }
+
+    pub(crate) fn number(&self) -> Number {
+        self.number
+    }
+}
+
+impl Width {
+    pub(crate) fn bytes(self) -> u8 {
+        match self {
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+impl Number {
+    /// Appends the numbers that stand at the start of every `stride` bytes.
+    pub(crate) fn decode(self, bytes: &[u8], stride: usize, values: &mut Vec<f64>) {
+        let eight = |read: fn([u8; 8]) -> f64| {
+            bytes.chunks(stride).filter_map(|c| c.first_chunk()).map(move |c| read(*c))
+        };
+        let four = |read: fn([u8; 4]) -> f32| {
+            bytes.chunks(stride).filter_map(|c| c.first_chunk()).map(move |c| f64::from(read(*c)))
+        };
+        match (self.width, self.ends) {
+            (Width::Eight, Ends::Little) => values.extend(eight(f64::from_le_bytes)),
+            (Width::Eight, Ends::Big) => values.extend(eight(f64::from_be_bytes)),
+            (Width::Four, Ends::Little) => values.extend(four(f32::from_le_bytes)),
+            (Width::Four, Ends::Big) => values.extend(four(f32::from_be_bytes)),
+        }
+    }
+}
+
+/// Opens a file whose length is known, and says it.
+pub(crate) fn open(file: &Path) -> Result<(File, u64), CommandError> {
+    let fault = |source| CommandError::Read { file: file.to_owned(), source };
+    // Before it is opened: opening a pipe would wait for its other end.
+    let metadata = file.metadata().map_err(fault)?;
+    if metadata.is_dir() {
+        return Err(fault(Error::from(ErrorKind::IsADirectory)));
+    }
+    if !metadata.is_file() {
+        return Err(super::in_file(file, &FormatError::NotRegular));
+    }
+    Ok((File::open(file).map_err(fault)?, metadata.len()))
+}

@@ -1,0 +1,120 @@
+//! The dictionary in an NPY header: `{'descr': '<f8', 'fortran_order': False, 'shape': (2000, 3), }`.
+
+use crate::records::binary::Order;
+use crate::records::format_error::FormatError;
+
+/// The three entries.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) descr: String,
+    pub(super) order: Order,
+    pub(super) shape: Vec<u64>,
+}
+
+impl Header {
+    /// Reads the entries in any order; a literal of Python, of the form that numpy writes.
+    pub(super) fn parse(text: &str) -> Result<Self, FormatError> {
+        let (mut descr, mut order, mut shape) = (None, None, None);
+        let mut rest = Rest(text);
+        rest.expect('{')?;
+        while !rest.take('}') {
+            let key = rest.quoted()?;
+            rest.expect(':')?;
+            let repeated = match key {
+                "descr" if rest.next_is('[') => return Err(FormatError::Structured),
+                "descr" => descr.replace(rest.quoted()?.to_owned()).is_some(),
+                "fortran_order" => order.replace(Order::of(rest.truth()?)).is_some(),
+                "shape" => shape.replace(rest.sizes()?).is_some(),
+                _ => return bad("an entry is neither descr nor fortran_order nor shape"),
+            };
+            if repeated {
+                return bad("an entry is there twice");
+            }
+            if !rest.take(',') {
+                rest.expect('}')?;
+                break;
+            }
+        }
+        if !rest.0.trim().is_empty() {
+            return bad("something follows its end");
+        }
+        match (descr, order, shape) {
+            (Some(descr), Some(order), Some(shape)) => Ok(Self { descr, order, shape }),
+            _ => bad("descr, fortran_order or shape is missing"),
+        }
+    }
+}
+
+fn bad<T>(what: &'static str) -> Result<T, FormatError> {
+    Err(FormatError::BadHeader { what })
+}
+
+/// What is left to read.
+struct Rest<'a>(&'a str);
+
+impl<'a> Rest<'a> {
+    fn next_is(&mut self, expected: char) -> bool {
+        self.0 = self.0.trim_start();
+        self.0.starts_with(expected)
+    }
+
+    fn take(&mut self, expected: char) -> bool {
+        let found = self.next_is(expected);
+        if found {
+            self.0 = &self.0[expected.len_utf8()..];
+        }
+        found
+    }
+
+    fn expect(&mut self, expected: char) -> Result<(), FormatError> {
+        if self.take(expected) { Ok(()) } else { bad("it is no dictionary of three entries") }
+    }
+
+    fn quoted(&mut self) -> Result<&'a str, FormatError> {
+        for quote in ['\'', '"'] {
+            if self.take(quote) {
+                let Some((inside, rest)) = self.0.split_once(quote) else {
+                    return bad("a quote never ends");
+                };
+                self.0 = rest;
+                return Ok(inside);
+            }
+        }
+        bad("a text in quotes is missing")
+    }
+
+    fn truth(&mut self) -> Result<bool, FormatError> {
+        self.0 = self.0.trim_start();
+        for (word, truth) in [("False", false), ("True", true)] {
+            if let Some(rest) = self.0.strip_prefix(word) {
+                self.0 = rest;
+                return Ok(truth);
+            }
+        }
+        bad("fortran_order is neither True nor False")
+    }
+
+    fn sizes(&mut self) -> Result<Vec<u64>, FormatError> {
+        let mut sizes = Vec::new();
+        self.expect('(')?;
+        while !self.take(')') {
+            self.0 = self.0.trim_start();
+            let end = self.0.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.0.len());
+            let (digits, rest) = self.0.split_at(end);
+            let Ok(size) = digits.parse() else {
+                return bad("the shape holds something else than sizes");
+            };
+            sizes.push(size);
+            // Python 2 marks a long integer.
+            self.0 = rest.strip_prefix('L').unwrap_or(rest);
+            if !self.take(',') {
+                self.expect(')')?;
+                break;
+            }
+        }
+        Ok(sizes)
+    }
+}
+
+#[cfg(test)]
+mod tests;
