@@ -2,7 +2,9 @@
 
 use pulp::Arch;
 
-use crate::{Gram, HankelError, Layout, Missing, gaps::pieces, segment::Segment, sums::Sums};
+use crate::{
+    Gram, HankelError, Layout, Missing, gaps::pieces, kernel::TILE, segment::Segment, sums::Sums,
+};
 
 /// How to sum.
 ///
@@ -123,13 +125,15 @@ impl Accumulator {
     ///
     /// [`HankelError::WrongChannelCount`], [`HankelError::UnequalLengths`], [`HankelError::NotFinite`]. Nothing has been added then.
     pub fn push(&mut self, record: &[&[f64]]) -> Result<(), HankelError> {
-        self.layout.samples(record)?;
+        let samples = self.layout.samples(record)?;
         let arch = Arch::new();
-        // Most records are finite throughout, and the sums see that in passing. Only if not does it matter where.
-        let mut trial = self.open.clone();
-        if trial.push(&self.layout, record, self.options.threads, arch) {
-            self.open = trial;
-            return Ok(());
+        // Most long pieces are finite throughout, and the sums see that in passing. Only if not does it matter where.
+        if samples > TILE {
+            let mut trial = self.open.clone();
+            if trial.push(&self.layout, record, self.options.threads, arch) {
+                self.open = trial;
+                return Ok(());
+            }
         }
         for (index, (from, to)) in
             pieces(&self.layout, record, self.options.missing)?.into_iter().enumerate()
