@@ -267,3 +267,24 @@ fn command_lines_that_cannot_be() {
         assert!(!ran.err.is_empty());
     }
 }
+
+#[test]
+fn the_record_is_never_replaced_by_the_result() {
+    let folder = Folder::new();
+    let bytes = npy(&columns(200), Array::default());
+    let file = folder.file("x.npy", &bytes);
+    let again = folder.path("./x.npy");
+    for json in [file.as_str(), again.to_str().unwrap()] {
+        let ran = transmode(&[&["fit", &file, "--json", json][..], &PAIR].concat());
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::BadInput, ""));
+        assert!(ran.err.contains("is the record itself"), "{}", ran.err);
+    }
+    let csv = folder.file("x.csv", "time,beta\n0,1\n0.1,2\n");
+    let ran = transmode(&["identify", &csv, &csv, "--json", &csv]);
+    assert!(ran.err.contains("is the record itself"), "{}", ran.err);
+    let nowhere = folder.path("missing/fit.json");
+    let words = ["fit", &file, "--json", nowhere.to_str().unwrap()];
+    let ran = transmode(&[&words[..], &PAIR].concat());
+    assert!(ran.err.contains("cannot write"), "{}", ran.err);
+    assert_eq!(std::fs::read(&file).unwrap(), bytes);
+}

@@ -6,7 +6,7 @@ use crate::{
     Engine, Fit, FitError, FitOptions, Structure,
     error::Signal,
     gram::{from_hankel, solution},
-    regressors::{Counts, layout},
+    regressors::{Constancy, Counts, constant_value, equal, layout},
     segment::check_finite,
 };
 
@@ -44,15 +44,9 @@ pub struct Accumulator {
     counts: Counts,
     /// Samples of the one that is not.
     open: usize,
-    input: Variation,
-}
-
-/// Whether the pseudo input has varied.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Variation {
-    NoSample,
-    Constant(f64),
-    Varies,
+    /// The first value of the pseudo input in that segment, and whether it has varied since.
+    open_input: Option<(f64, bool)>,
+    constancy: Constancy,
 }
 
 impl Accumulator {
@@ -60,12 +54,11 @@ impl Accumulator {
     ///
     /// # Errors
     ///
-    /// [`FitError::BadValue`] for options out of range, and for [`Engine::Qr`], which needs the record as a whole.
+    /// [`FitError::BadValue`] for options out of range, [`FitError::EngineNeedsRecord`] for [`Engine::Qr`].
     pub fn new(structure: &Structure, options: &FitOptions) -> Result<Self, FitError> {
         options.check()?;
         if options.engine != Engine::Gram {
-            let what = "the engine, of which reflections are the second,";
-            return Err(FitError::BadValue { what, value: 2.0, needed: "the first: lag products" });
+            return Err(FitError::EngineNeedsRecord);
         }
         let summing = Options { threads: options.threads, ..Options::default() };
         Ok(Self {
@@ -74,7 +67,8 @@ impl Accumulator {
             sums: hankel::Accumulator::new(&layout(structure), &summing).map_err(from_hankel)?,
             counts: Counts::default(),
             open: 0,
-            input: Variation::NoSample,
+            open_input: None,
+            constancy: Constancy::default(),
         })
     }
 
@@ -89,22 +83,17 @@ impl Accumulator {
         }
         match self.sums.push(&[input, output]) {
             Ok(()) => {}
-            Err(hankel::HankelError::NotFinite { .. }) => {
+            Err(error) => {
                 check_finite(input, Signal::Input)?;
                 check_finite(output, Signal::Output)?;
+                return Err(from_hankel(error));
             }
-            Err(other) => return Err(from_hankel(other)),
         }
         self.open += input.len();
-        if self.input != Variation::Varies
-            && let Some(first) = input.first()
-        {
-            let before = match self.input {
-                Variation::Constant(value) => value,
-                _ => *first,
-            };
-            let same = input.iter().all(|x| x.total_cmp(&before).is_eq());
-            self.input = if same { Variation::Constant(before) } else { Variation::Varies };
+        if let Some(first) = input.first() {
+            let (before, varied) = self.open_input.unwrap_or((*first, false));
+            let varies = varied || constant_value(input).is_none_or(|value| !equal(value, before));
+            self.open_input = Some((before, varies));
         }
         Ok(())
     }
@@ -113,9 +102,23 @@ impl Accumulator {
     pub fn gap(&mut self) {
         self.sums.gap();
         if self.open > 0 {
-            self.counts.add(&self.structure, self.open);
-            self.open = 0;
+            (self.counts, self.constancy) = self.with_open();
+            (self.open, self.open_input) = (0, None);
         }
+    }
+
+    /// Counts and constancy with the segment that is not complete.
+    fn with_open(&self) -> (Counts, Constancy) {
+        let (mut counts, mut constancy) = (self.counts, self.constancy);
+        if self.open > 0 {
+            counts.add(&self.structure, self.open);
+            if let Some((first, varies)) = self.open_input
+                && self.structure.orders.equations(self.open) > 0
+            {
+                constancy.add_segment((!varies).then_some(first), first);
+            }
+        }
+        (counts, constancy)
     }
 
     /// Adds what another accumulator has seen, as other segments: the sums of several files or threads become one.
@@ -129,19 +132,9 @@ impl Accumulator {
         }
         self.gap();
         self.sums.merge(&other.sums, Seam::Gap).map_err(from_hankel)?;
-        self.counts.equations += other.counts.equations;
-        self.counts.samples_used += other.counts.samples_used;
-        self.counts.samples += other.counts.samples;
-        self.counts.segments += other.counts.segments;
-        self.counts.segments_without_equation += other.counts.segments_without_equation;
-        self.open = other.open;
-        self.input = match (self.input, other.input) {
-            (Variation::NoSample, seen) | (seen, Variation::NoSample) => seen,
-            (Variation::Constant(a), Variation::Constant(b)) if a.total_cmp(&b).is_eq() => {
-                self.input
-            }
-            _ => Variation::Varies,
-        };
+        self.counts.merge(&other.counts);
+        self.constancy.merge(other.constancy);
+        (self.open, self.open_input) = (other.open, other.open_input);
         Ok(())
     }
 
@@ -151,14 +144,9 @@ impl Accumulator {
     ///
     /// [`FitError::NoSegment`], [`FitError::TooFewSamples`], [`FitError::ConstantInput`], [`FitError::Overflow`].
     pub fn fit(&self) -> Result<Fit, FitError> {
-        let mut counts = self.counts;
-        if self.open > 0 {
-            counts.add(&self.structure, self.open);
-        }
+        let (counts, constancy) = self.with_open();
         counts.suffice(&self.structure, self.structure.parameter_count())?;
-        if let Variation::Constant(value) = self.input {
-            return Err(FitError::ConstantInput { value });
-        }
+        constancy.check()?;
         let gram = self.sums.gram().map_err(from_hankel)?;
         let found = gram
             .least_squares(self.structure.parameter_count(), self.options.rank_tolerance)

@@ -157,6 +157,9 @@ pub enum FitError {
         /// Why.
         reason: String,
     },
+    /// Reflections, asked for where the record comes in pieces.
+    #[error("reflections need the record as a whole: fit pieces with `Engine::Gram`")]
+    EngineNeedsRecord,
     /// Two partial sums of different structures.
     #[error(
         "the two partial results have different structures: both need the same orders and constant term"

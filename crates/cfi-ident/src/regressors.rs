@@ -76,6 +76,15 @@ impl Counts {
         }
     }
 
+    /// Those of another accumulator on top.
+    pub(crate) fn merge(&mut self, other: &Self) {
+        self.equations += other.equations;
+        self.samples_used += other.samples_used;
+        self.samples += other.samples;
+        self.segments += other.segments;
+        self.segments_without_equation += other.segments_without_equation;
+    }
+
     /// Checks that there are at least `needed` equations: for plain least squares the number of parameters.
     pub(crate) fn suffice(&self, structure: &Structure, needed: usize) -> Result<(), FitError> {
         let orders = structure.orders;
@@ -107,11 +116,53 @@ pub(crate) fn check(
         counts.add(structure, segment.samples());
     }
     counts.suffice(structure, needed)?;
-    let mut used = segments.iter().filter(|s| structure.orders.equations(s.samples()) > 0);
-    let constant = |s: &Segment<'_>| s.input().iter().all(|x| x.total_cmp(&s.input()[0]).is_eq());
-    match used.clone().all(constant).then(|| used.next()).flatten() {
-        Some(first) => Err(FitError::ConstantInput { value: first.input()[0] }),
-        None => Ok(counts),
+    let used = segments.iter().filter(|s| structure.orders.equations(s.samples()) > 0);
+    let mut constant = Constancy::default();
+    for segment in used {
+        constant.add_segment(constant_value(segment.input()), segment.input()[0]);
+    }
+    constant.check()?;
+    Ok(counts)
+}
+
+/// The value of a signal that does not vary; `None` for one that does.
+pub(crate) fn constant_value(signal: &[f64]) -> Option<f64> {
+    let first = *signal.first()?;
+    signal.iter().all(|x| equal(*x, first)).then_some(first)
+}
+
+/// Zero has two signs, and they are equal.
+pub(crate) fn equal(a: f64, b: f64) -> bool {
+    a.partial_cmp(&b) == Some(std::cmp::Ordering::Equal)
+}
+
+/// Whether the pseudo input varies within any of the segments that give equations.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Constancy {
+    /// First value of the first segment.
+    first: Option<f64>,
+    varies: bool,
+}
+
+impl Constancy {
+    /// One more segment that gives equations: its value if that is constant, and its first value.
+    pub(crate) fn add_segment(&mut self, constant: Option<f64>, first: f64) {
+        self.first.get_or_insert(first);
+        self.varies |= constant.is_none();
+    }
+
+    /// Both together.
+    pub(crate) fn merge(&mut self, other: Self) {
+        self.first = self.first.or(other.first);
+        self.varies |= other.varies;
+    }
+
+    /// Refuses a pseudo input that never varies: its shifted copies are all the same.
+    pub(crate) fn check(&self) -> Result<(), FitError> {
+        match self.first {
+            Some(value) if !self.varies => Err(FitError::ConstantInput { value }),
+            _ => Ok(()),
+        }
     }
 }
 

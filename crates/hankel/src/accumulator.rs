@@ -77,7 +77,7 @@ pub struct Accumulator {
     segments: usize,
     longest: usize,
     open: Segment,
-    /// The first samples of the very first segment, if that is not the open one; empty if it had none.
+    /// The first samples of the very first segment, if that is not the open one; empty if there was a gap before any sample.
     first: Option<Window>,
 }
 
@@ -152,6 +152,8 @@ impl Accumulator {
     /// Ends the segment: what is pushed next does not follow the last sample.
     pub fn gap(&mut self) {
         if self.open.samples() == 0 {
+            // A gap before the first sample: nothing that comes before may reach across.
+            self.first.get_or_insert_with(|| vec![Vec::new(); self.layout.channels()]);
             return;
         }
         let segment = std::mem::replace(&mut self.open, Segment::new(&self.layout));
@@ -191,8 +193,11 @@ impl Accumulator {
         }
         let other_is_short =
             other.first.is_none() && other.open.samples() <= 2 * self.layout.span();
-        if seam == Seam::Gap || self.open.samples() == 0 {
+        let nothing_to_join = self.open.samples() == 0;
+        if seam == Seam::Gap {
             self.gap();
+        } else if nothing_to_join {
+            // What the other has seen becomes this one's, with what came before its first sample.
         } else if other_is_short {
             let head: Vec<&[f64]> = other.open.head().iter().map(Vec::as_slice).collect();
             self.open.push(&self.layout, &head, 1, Arch::new());

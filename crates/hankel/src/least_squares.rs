@@ -36,6 +36,8 @@ pub struct LeastSquares {
     pub projected: Vec<f64>,
     /// The solution in the units of the factor and the target.
     pub(crate) scaled: Vec<f64>,
+    /// Rows that were summed.
+    pub(crate) rows: usize,
     /// Index of the target among the columns.
     pub(crate) target: usize,
     /// The target's samples are in units of two to this.
@@ -121,6 +123,7 @@ impl Gram {
             refinement: Refinement::default(),
             projected: z.iter().map(|z| scaled(z.value(), self.exponent(target))).collect(),
             scaled: solution.into_iter().map(DoubleDouble::value).collect(),
+            rows: self.rows(),
             target,
             unit,
             target_norm: scaled(target_norm, unit),

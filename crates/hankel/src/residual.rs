@@ -27,7 +27,8 @@ impl LeastSquares {
     ///
     /// # Errors
     ///
-    /// As [`crate::gram`]; [`HankelError::DifferentLayouts`] if the layout has another number of columns than the solution.
+    /// As [`crate::gram`]; [`HankelError::DifferentLayouts`] if the layout has another number of columns than the solution,
+    /// [`HankelError::BadSize`] if the record gives another number of rows.
     ///
     /// # Example
     ///
@@ -80,6 +81,13 @@ impl LeastSquares {
             for (from, to) in stretches {
                 all.push(segment.iter().map(|channel| &channel[from..to]).collect());
             }
+        }
+        let length = |channels: &Vec<&[f64]>| channels.first().map_or(0, |channel| channel.len());
+        let rows: usize = all.iter().map(|channels| layout.rows(length(channels))).sum();
+        if rows != self.rows {
+            let what = "the number of rows of the record to refine on";
+            let needed = format!("that of the Gram matrix, {}", self.rows);
+            return Err(HankelError::BadSize { what, found: rows, needed });
         }
         let mut pass = Pass {
             fit: self,

@@ -22,6 +22,12 @@ pub enum CommandError {
         /// What the operating system says.
         source: std::io::Error,
     },
+    /// A result that would replace the record it comes from.
+    #[error("{} is the record itself; write the result to another file", file.display())]
+    OverwritesRecord {
+        /// The file.
+        file: PathBuf,
+    },
     /// A file that is no text in UTF-8.
     #[error("{}, line {line}: the file is not UTF-8 text; export it as plain CSV", file.display())]
     NotText {

@@ -36,6 +36,9 @@ pub(crate) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<Exit, CommandEr
     if input == output {
         return Err(CommandError::SameColumn { column: input.to_owned() });
     }
+    if let Some(file) = &args.json {
+        output::check_place(file, &[&args.file])?;
+    }
 
     let format =
         Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;

@@ -4,7 +4,7 @@ mod json;
 mod text;
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
 use reconstruct::{AsPrintedOptions, as_printed};
@@ -22,6 +22,10 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, Comm
         time: args.time.as_ref().map(trimmed),
     };
     selection.check()?;
+    if let Some(file) = &args.json {
+        let files: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+        output::check_place(file, &files)?;
+    }
     let records = args
         .files
         .iter()

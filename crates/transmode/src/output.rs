@@ -32,6 +32,26 @@ pub fn write_whole(file: &Path, bytes: &[u8], out: &mut dyn Write) -> Result<(),
     Ok(())
 }
 
+/// Refuses to replace one of the records by a result, however the two paths are written, before any work is done.
+///
+/// # Errors
+///
+/// [`CommandError::OverwritesRecord`]; [`CommandError::Write`] if the folder of the result does not exist.
+pub(crate) fn check_place(file: &Path, records: &[&Path]) -> Result<(), CommandError> {
+    if file == Path::new("-") {
+        return Ok(());
+    }
+    let folder =
+        file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    folder.metadata().map_err(|source| CommandError::Write { file: file.to_owned(), source })?;
+    let Ok(place) = file.canonicalize() else { return Ok(()) };
+    let same = |record: &&&Path| record.canonicalize().is_ok_and(|record| record == place);
+    match records.iter().find(same) {
+        Some(_) => Err(CommandError::OverwritesRecord { file: file.to_owned() }),
+        None => Ok(()),
+    }
+}
+
 /// A temporary file with the rights of an ordinary one, which the user's mask may narrow.
 ///
 /// It is opened here so that an error is the operating system's own: the draft's name would tell the user nothing.

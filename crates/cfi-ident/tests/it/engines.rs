@@ -93,6 +93,30 @@ fn pieces_make_no_difference() {
 }
 
 #[test]
+fn an_input_that_varies_only_from_segment_to_segment_is_constant() {
+    let structure = Structure::new(Orders::new(1, 2, 2).unwrap(), ConstantTerm::Omitted);
+    let output: Vec<f64> = (0..40).map(|k| f64::from(k * k % 7)).collect();
+    let (first, second, short) = ([0.1; 40], [0.3; 40], [1.0, 2.0, 0.0]);
+    let signed: Vec<f64> = (0..40).map(|k| if k % 2 == 0 { 0.0 } else { -0.0 }).collect();
+    for (inputs, value) in
+        [(vec![&short[..], &first, &second], 0.1), (vec![&signed[..], &second], 0.0)]
+    {
+        let segments: Vec<Segment<'_>> =
+            inputs.iter().map(|u| Segment::new(u, &output[..u.len()]).unwrap()).collect();
+        let expected = FitError::ConstantInput { value };
+        assert_eq!(fit(&segments, &structure, &FitOptions::default()).unwrap_err(), expected);
+        let mut sums = Accumulator::new(&structure, &FitOptions::default()).unwrap();
+        for u in &inputs {
+            for (u, y) in u.chunks(7).zip(output.chunks(7)) {
+                sums.push(u, &y[..u.len()]).unwrap();
+            }
+            sums.gap();
+        }
+        assert_eq!(sums.fit().unwrap_err(), expected);
+    }
+}
+
+#[test]
 fn bad_pieces_are_refused_and_leave_nothing_behind() {
     let structure = planted().structure();
     let options = FitOptions::default();
@@ -113,7 +137,8 @@ fn bad_pieces_are_refused_and_leave_nothing_behind() {
     few.push(&[1.0; 60], &[2.0; 60]).unwrap();
     assert!(matches!(few.fit(), Err(FitError::TooFewSamples { samples: 60, equations: 10, .. })));
     let reflections = FitOptions { engine: Engine::Qr, ..options.clone() };
-    assert!(matches!(Accumulator::new(&structure, &reflections), Err(FitError::BadValue { .. })));
+    let refused = Accumulator::new(&structure, &reflections).unwrap_err();
+    assert_eq!(refused, FitError::EngineNeedsRecord);
     let none = FitOptions { threads: 0, ..options };
     assert!(matches!(Accumulator::new(&structure, &none), Err(FitError::BadValue { .. })));
 }

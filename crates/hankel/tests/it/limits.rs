@@ -151,6 +151,20 @@ fn zeros_are_fine() {
 }
 
 #[test]
+fn a_constant_has_no_rank_once_it_is_centred() {
+    for value in [0.1, 7.0, 1.0 / 3.0, -1e5] {
+        let constant = vec![value; 5000];
+        let other: Vec<f64> = (0..5000).map(|k| f64::from(k).sin()).collect();
+        let columns = vec![Column::new(0, 0), Column::new(0, -1), Column::new(1, 0)];
+        let layout = Layout::new(2, columns).unwrap();
+        let found = gram(&layout, &[&constant, &other], &Options::default()).unwrap().centred();
+        let solved = found.least_squares(2, None).unwrap();
+        assert_eq!(solved.factor.rank(), 0, "{value}");
+        assert_eq!(solved.coefficients, [0.0, 0.0], "{value}");
+    }
+}
+
+#[test]
 fn lags_far_apart_are_taken_one_by_one() {
     let signal: Vec<f64> = (0..5000).map(|k| f64::from(k * k % 101) - 50.0).collect();
     let layout = Layout::new(1, [0, 3, 700, 2900].map(|lag| Column::new(0, lag)).to_vec()).unwrap();

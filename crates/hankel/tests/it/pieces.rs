@@ -1,6 +1,6 @@
 //! The same bits, however the work is cut.
 
-use hankel::{Accumulator, Column, Gram, Layout, Missing, Options, gram};
+use hankel::{Accumulator, Column, Gram, Layout, Missing, Options, Seam, gram};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 
@@ -79,6 +79,40 @@ fn missing_samples_are_gaps() {
         pushed.push(&[&u[from..to], &y[from..to]]).unwrap();
     }
     assert_eq!(bits(&pushed.gram().unwrap()), bits(&cut));
+}
+
+#[test]
+fn parts_meet_as_in_one_reading_wherever_the_gaps_are() {
+    let options = Options { missing: Missing::Gap, ..Options::default() };
+    let layout = Layout::new(1, vec![Column::new(0, 0), Column::new(0, 2)]).unwrap();
+    for gaps in 0..1 << 7 {
+        let record: Vec<f64> =
+            (0..7).map(|k| if gaps >> k & 1 == 1 { f64::NAN } else { f64::from(k + 1) }).collect();
+        let mut whole = Accumulator::new(&layout, &options).unwrap();
+        whole.push(&[&record]).unwrap();
+        for (a, b) in (0..=7).flat_map(|a| (a..=7).map(move |b| (a, b))) {
+            let part = |from: usize, to: usize| {
+                let mut part = Accumulator::new(&layout, &options).unwrap();
+                part.push(&[&record[from..to]]).unwrap();
+                part
+            };
+            let (first, second, third) = (part(0, a), part(a, b), part(b, 7));
+            let mut left = first.clone();
+            left.merge(&second, Seam::Continuous).unwrap();
+            left.merge(&third, Seam::Continuous).unwrap();
+            let mut right = second;
+            right.merge(&third, Seam::Continuous).unwrap();
+            let mut joined = first;
+            joined.merge(&right, Seam::Continuous).unwrap();
+            for merged in [left, joined] {
+                assert_eq!(merged.rows(), whole.rows(), "{record:?} cut at {a} and {b}");
+                if whole.rows() > 0 {
+                    // Small integers: every sum is exact.
+                    assert_eq!(bits(&merged.gram().unwrap()), bits(&whole.gram().unwrap()));
+                }
+            }
+        }
+    }
 }
 
 #[test]
