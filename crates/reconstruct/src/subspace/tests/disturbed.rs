@@ -87,12 +87,12 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[test]
 fn errors_are_proportional_to_the_noise_and_no_good_record_is_doubted() {
     // Medians over 60 seeds of a numpy version with 32 block rows and the true levels, in 1/s: roll, Dutch roll, spiral.
-    let prototype = [
+    let medians = [
         (1000.0, [1.2e-4, 1.5e-4, 3.4e-5]),
         (100.0, [1.2e-3, 1.5e-3, 4.2e-4]),
         (30.0, [3.8e-3, 4.9e-3, 1.4e-3]),
     ];
-    for (ratio, bounds) in prototype {
+    for (ratio, bounds) in medians {
         let mut all = Vec::new();
         for seed in 0..15 {
             let mut rng = generator(seed);
