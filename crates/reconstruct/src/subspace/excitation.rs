@@ -31,7 +31,7 @@ const GROWTH_TOLERANCE: f64 = 0.25;
 /// A rank that exceeds that of so many excitations by more is that of more: noise may lift some values, and the order may be too low.
 const RANK_TOLERANCE: usize = 3;
 
-/// A rank that grows by no more than this over half of the block rows does not grow.
+/// A rank that grows by no more than this over half of the block rows, and exceeds the order by no more, is that of free motion.
 const NO_GROWTH: usize = 1;
 
 /// Eigenvalues of the sample covariance of white noise stay below `(1 + 2 sqrt(r))^2` with r noise directions for each column.
@@ -64,7 +64,8 @@ pub(super) fn excitation_rank(
     let largest_noise = values[noise - 1];
     #[expect(clippy::cast_precision_loss, reason = "ranks are small numbers")]
     let growth = (ranks[1].1 as f64 - ranks[0].1 as f64) / (block_rows - half) as f64;
-    let rank = if ranks[1].1 <= ranks[0].1 + NO_GROWTH {
+    let still = ranks[1].1 <= ranks[0].1 + NO_GROWTH && ranks[1].1 <= order + NO_GROWTH;
+    let rank = if still {
         0
     } else {
         // The fewest excitations that neither the growth nor the rank itself exceeds.

@@ -34,6 +34,7 @@ fn the_growth_of_the_rank_is_the_number_of_excitations() {
     assert!((one.largest_noise - 1.0).abs() < 1e-12 && one.noise_edge > 1.0);
     assert_eq!(rank(|rows| 2 * (rows - 1) + 4, 4).rank, 2);
     assert_eq!(rank(|_| 4, 4).rank, 0);
+    assert_eq!(rank(|rows| 9 + rows / 20, 4).rank, 1);
     // Little power at high frequencies.
     assert_eq!(rank(|rows| rows / 4 + 4, 4).rank, 1);
     assert_eq!(rank(|rows| 5 * rows / 4 + 4, 4).rank, 2);
