@@ -10,6 +10,8 @@
 //! | [`difference_zeros`] | where the transmissibilities of two records agree |
 //! | [`shared_zeros`] | the zeros that several differences of transmissibilities have in common |
 //! | [`as_printed`] | the whole method: records to eigenvalues |
+//! | [`intersect`] | eigenvalues, shapes and excitations of noisy records, by the intersection of their signal subspaces |
+//! | [`SharedModel`], [`NoiseModel`] | what records have in common, and what is known about their noise |
 //!
 //! Each stage can be called by itself. Results carry ranks, residuals, condition numbers and spreads; what makes a result
 //! untrustworthy is in its [`Doubt`]s.
@@ -36,9 +38,12 @@ mod difference;
 mod error;
 mod identification;
 mod matching;
+mod noise_model;
 mod pair;
 mod record;
 mod shared;
+mod shared_model;
+mod subspace;
 
 pub use as_printed::{
     AsPrinted, AsPrintedOptions, Difference, Doubt, ReconstructedMode, as_printed,
@@ -46,9 +51,15 @@ pub use as_printed::{
 pub use difference::{Zero, difference_zeros};
 pub use error::ReconstructError;
 pub use identification::{Identification, IdentificationOptions, identify};
+pub use noise_model::NoiseModel;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
+pub use shared_model::SharedModel;
+pub use subspace::{
+    Centring, DirectPath, ExcitationRank, Intersection, NoiseEvidence, NoiseOrigin, OrderChoice,
+    OrderEvidence, RecordEvidence, SubspaceDoubt, SubspaceMode, SubspaceOptions, intersect,
+};
 
 /// The README's example compiles.
 #[cfg(doctest)]
