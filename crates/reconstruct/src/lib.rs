@@ -35,10 +35,13 @@ mod as_printed;
 mod difference;
 mod error;
 mod identification;
+mod likelihood;
 mod matching;
+mod noise_spectrum;
 mod pair;
 mod record;
 mod shared;
+mod shared_model;
 
 pub use as_printed::{
     AsPrinted, AsPrintedOptions, Difference, Doubt, ReconstructedMode, as_printed,
@@ -46,9 +49,16 @@ pub use as_printed::{
 pub use difference::{Zero, difference_zeros};
 pub use error::ReconstructError;
 pub use identification::{Identification, IdentificationOptions, identify};
+pub use likelihood::{
+    ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate, FrequencyBand, LikelihoodFit,
+    LikelihoodOptions, ModeEstimate, NoiseModel, Offsets, SearchReport, SearchStatus, StartReport,
+    Trend, Whiteness, maximise,
+};
+pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
+pub use shared_model::SharedModel;
 
 /// The README's example compiles.
 #[cfg(doctest)]

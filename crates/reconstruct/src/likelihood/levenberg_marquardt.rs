@@ -1,0 +1,186 @@
+//! Levenberg-Marquardt on the identifiable directions, with columns scaled to unit length.
+//!
+//! A change of basis of the states, or of the scale of an excitation, changes nothing: the Gram matrix G has these tangents N in its null space.
+//! With the scale s_i = sqrt(G_ii), the step solves (G_s + lambda I + P) x = d_s with P the projector onto the scaled N. Since d is orthogonal to N, so
+//! is x, and no basis of the identifiable directions is needed.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::evaluation::{Evaluation, Problem};
+use super::system::{Layout, System};
+
+/// How a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SearchStatus {
+    /// The next step would be shorter than the tolerance.
+    Converged,
+    /// No step lowers the cost, and what it could still gain is rounding errors.
+    AtRoundingLevel,
+    /// No step lowers the cost although the gradient says that one should.
+    Stalled,
+    /// The largest number of steps was taken.
+    StepLimit,
+}
+
+/// The end of a search.
+#[derive(Clone, Debug)]
+pub(super) struct Search {
+    pub(super) evaluation: Evaluation,
+    pub(super) status: SearchStatus,
+    /// Accepted steps.
+    pub(super) steps: usize,
+    /// Evaluations of the likelihood.
+    pub(super) evaluations: usize,
+    /// The length of the step that was not taken any more, in standard deviations of the estimate.
+    pub(super) remaining_step: f64,
+}
+
+/// When to stop.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    pub(super) steps: usize,
+    pub(super) step_tolerance: f64,
+    /// Residuals less parameters: the cost over it is the variance of a residual.
+    pub(super) degrees_of_freedom: f64,
+    /// The cost of explaining nothing, against which rounding errors are measured.
+    pub(super) energy: f64,
+}
+
+const FIRST_DAMPING: f64 = 1e-4;
+const LEAST_DAMPING: f64 = 1e-13;
+const MOST_DAMPING: f64 = 1e12;
+/// Squared relative rounding error of a residual: costs below this part of the energy mean nothing.
+const ROUNDING: f64 = 1e-26;
+
+/// Walks downhill from `start`. Each accepted step lowers the cost.
+pub(super) fn minimise(
+    problem: &Problem,
+    start: Evaluation,
+    variances: &[f64],
+    limits: Limits,
+) -> Search {
+    let mut search = Search {
+        evaluation: start,
+        status: SearchStatus::StepLimit,
+        steps: 0,
+        evaluations: 0,
+        remaining_step: f64::INFINITY,
+    };
+    let mut damping = FIRST_DAMPING;
+    loop {
+        let scaled = Scaled::new(&search.evaluation, &problem.layout);
+        let variance = (search.evaluation.cost / limits.degrees_of_freedom)
+            .max(f64::MIN_POSITIVE);
+        search.remaining_step = scaled.step(LEAST_DAMPING).map_or(f64::INFINITY, |step| {
+            (step.dot(&search.evaluation.descent).max(0.0) / variance).sqrt()
+        });
+        if search.remaining_step <= limits.step_tolerance {
+            search.status = SearchStatus::Converged;
+            return search;
+        }
+        if search.steps == limits.steps {
+            return search;
+        }
+        match lower(problem, &search.evaluation, &scaled, variances, &limits, &mut damping) {
+            Attempt::Lower(next, evaluations) => {
+                search.evaluation = *next;
+                search.steps += 1;
+                search.evaluations += evaluations;
+            }
+            Attempt::None(status, evaluations) => {
+                search.status = status;
+                search.evaluations += evaluations;
+                return search;
+            }
+        }
+    }
+}
+
+enum Attempt {
+    Lower(Box<Evaluation>, usize),
+    None(SearchStatus, usize),
+}
+
+/// Tries steps with more and more damping until one lowers the cost.
+fn lower(
+    problem: &Problem,
+    here: &Evaluation,
+    scaled: &Scaled,
+    variances: &[f64],
+    limits: &Limits,
+    damping: &mut f64,
+) -> Attempt {
+    let mut evaluations = 0;
+    while *damping < MOST_DAMPING {
+        let Some(step) = scaled.step(*damping) else {
+            *damping = (*damping * 10.0).max(LEAST_DAMPING);
+            continue;
+        };
+        let system: System = here.system.moved(&step, &problem.layout);
+        let predicted = 2.0 * step.dot(&here.descent) - step.dot(&(&here.gram * &step));
+        if system.is_finite() {
+            let coefficients = here.coefficients_after(&step, &problem.layout);
+            let trial = problem.evaluate(system, coefficients, variances);
+            evaluations += 1;
+            if trial.cost < here.cost {
+                let ratio = (here.cost - trial.cost) / predicted;
+                if ratio > 0.5 {
+                    *damping = (*damping * 0.1).max(LEAST_DAMPING);
+                } else if ratio < 0.1 {
+                    *damping *= 4.0;
+                }
+                let normalised = trial.normalised(&problem.layout);
+                return Attempt::Lower(Box::new(normalised), evaluations);
+            }
+        }
+        if predicted <= ROUNDING * limits.energy {
+            return Attempt::None(SearchStatus::AtRoundingLevel, evaluations);
+        }
+        *damping = (*damping * 10.0).max(LEAST_DAMPING);
+    }
+    *damping = FIRST_DAMPING;
+    Attempt::None(SearchStatus::Stalled, evaluations)
+}
+
+/// The normal equations with unit diagonal.
+struct Scaled {
+    matrix: DMatrix<f64>,
+    descent: DVector<f64>,
+    inverse_scale: DVector<f64>,
+}
+
+impl Scaled {
+    fn new(evaluation: &Evaluation, layout: &Layout) -> Self {
+        let gram = &evaluation.gram;
+        let inverse_scale =
+            gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
+        let mut tangents = evaluation.system.free_directions(layout);
+        for (mut row, inverse) in tangents.row_iter_mut().zip(inverse_scale.iter()) {
+            row /= *inverse;
+        }
+        let q = tangents.qr().q();
+        let mut matrix = &q * q.transpose();
+        for k in 0..matrix.ncols() {
+            for i in 0..matrix.nrows() {
+                matrix[(i, k)] += gram[(i, k)] * inverse_scale[i] * inverse_scale[k];
+            }
+        }
+        let descent = evaluation.descent.component_mul(&inverse_scale);
+        // Along N the descent is rounding errors; they would not move the cost, only the basis.
+        let descent = &descent - &q * (q.transpose() * &descent);
+        Self { matrix, descent, inverse_scale }
+    }
+
+    fn step(&self, damping: f64) -> Option<DVector<f64>> {
+        let mut matrix = self.matrix.clone();
+        for k in 0..matrix.nrows() {
+            matrix[(k, k)] += damping;
+        }
+        let step = matrix.cholesky()?.solve(&self.descent).component_mul(&self.inverse_scale);
+        step.iter().all(|entry| entry.is_finite()).then_some(step)
+    }
+}
+
+#[cfg(test)]
+mod tests;
