@@ -42,6 +42,7 @@ mod pair;
 mod record;
 mod shared;
 mod shared_model;
+mod vector_autoregression;
 
 pub use as_printed::{
     AsPrinted, AsPrintedOptions, Difference, Doubt, ReconstructedMode, as_printed,
@@ -59,6 +60,7 @@ pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containmen
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
 pub use shared_model::SharedModel;
+pub use vector_autoregression::{AutoregressionOrder, VectorAutoregression};
 
 /// The README's example compiles.
 #[cfg(doctest)]

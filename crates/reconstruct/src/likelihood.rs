@@ -26,8 +26,11 @@
 mod direction;
 mod evaluation;
 mod feedback;
+#[cfg(test)]
+pub(crate) mod fixtures;
 mod gamma;
 mod goodness;
+mod lanes;
 mod levenberg_marquardt;
 mod noise_levels;
 mod options;
@@ -49,7 +52,8 @@ pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 use crate::{ReconstructError, Record, SharedModel};
 use evaluation::{Evaluation, Problem};
 use levenberg_marquardt::{Limits, minimise};
-use spectrum::{count, transform};
+use spectrum::transform;
+pub(crate) use spectrum::{count, rms};
 use sums::Scalars;
 use system::{Layout, System};
 
@@ -404,6 +408,7 @@ fn conclude(
             variances.iter_mut().for_each(|variance| *variance *= share);
         }
     }
+    evaluation.system = evaluation.system.normalised();
     evaluation = settled_again(problem, evaluation, &variances);
     let mut noise_part = DMatrix::zeros(layout.parameters(), layout.parameters());
     let cells = layout.local_cells();

@@ -75,13 +75,12 @@ impl Problem {
     ) -> Sums {
         let (b, d) = (&system.b[record], &system.d[record]);
         let gain = feedback(&system.a, b);
-        let rows = |matrix: DMatrix<f64>| matrix.transpose().as_slice().to_vec();
         let seen = Seen {
-            a: rows(&system.a + b * gain.transpose()),
-            c: rows(&system.c + d * gain.transpose()),
-            b: b.as_slice().to_vec(),
-            d: d.as_slice().to_vec(),
-            gain: gain.as_slice().to_vec(),
+            a: &system.a + b * gain.transpose(),
+            c: &system.c + d * gain.transpose(),
+            b: b.clone(),
+            d: d.clone(),
+            gain,
             coefficients: coefficients[record].clone(),
             variances: variances.to_vec(),
         };
@@ -259,25 +258,6 @@ impl Problem {
 }
 
 impl Evaluation {
-    /// The same with |(b_j, d_j)| = 1: derivatives by b_j and d_j grow by the length that is taken off.
-    pub(super) fn normalised(mut self, layout: &Layout) -> Self {
-        for record in 0..layout.records {
-            let length = self.system.b[record].norm().hypot(self.system.d[record].norm());
-            if !(length > 0.0 && length.is_finite()) {
-                continue;
-            }
-            for k in layout.shared()..layout.shared() + layout.per_record() {
-                let index = layout.global(k, record);
-                self.descent[index] *= length;
-                self.gram.row_mut(index).scale_mut(length);
-                self.gram.column_mut(index).scale_mut(length);
-                self.eliminated[record].response.column_mut(k).scale_mut(length);
-            }
-        }
-        self.system = self.system.normalised();
-        self
-    }
-
     /// The best coefficients after a step in the parameters, to first order; the best ones here for a step of zero.
     pub(super) fn coefficients_after(&self, step: &DVector<f64>, layout: &Layout) -> Coefficients {
         let mut moved = self.coefficients.clone();

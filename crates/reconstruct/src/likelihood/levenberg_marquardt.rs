@@ -3,6 +3,9 @@
 //! A change of basis of the states, or of the scale of an excitation, changes nothing: the Gram matrix G has these tangents N in its null space.
 //! With the scale s_i = sqrt(G_ii), the step solves (G_s + lambda I + P) x = d_s with P the projector onto the scaled N. Since d is orthogonal to N, so
 //! is x, and no basis of the identifiable directions is needed.
+//!
+//! Where noise makes up much of the spectrum, G is far from the curvature in some directions and the search would creep. What G misses is collected
+//! from the differences of gradients, as in NL2SOL (Dennis, Gay & Welsch 1981).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -68,8 +71,14 @@ pub(super) fn minimise(
         remaining_step: f64::INFINITY,
     };
     let mut damping = FIRST_DAMPING;
+    let parameters = problem.layout.parameters();
+    let mut missed = DMatrix::zeros(parameters, parameters);
     loop {
-        let scaled = Scaled::new(&search.evaluation, &problem.layout);
+        let mut scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
+        if scaled.step(LEAST_DAMPING).is_none() {
+            missed.fill(0.0);
+            scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
+        }
         let variance = (search.evaluation.cost / limits.degrees_of_freedom)
             .max(f64::MIN_POSITIVE);
         search.remaining_step = scaled.step(LEAST_DAMPING).map_or(f64::INFINITY, |step| {
@@ -83,7 +92,8 @@ pub(super) fn minimise(
             return search;
         }
         match lower(problem, &search.evaluation, &scaled, variances, &limits, &mut damping) {
-            Attempt::Lower(next, evaluations) => {
+            Attempt::Lower(next, step, evaluations) => {
+                learn(&mut missed, &search.evaluation, &next, &step);
                 search.evaluation = *next;
                 search.steps += 1;
                 search.evaluations += evaluations;
@@ -97,8 +107,33 @@ pub(super) fn minimise(
     }
 }
 
+/// Updates what the Gram matrix misses, so that it explains the last change of the gradient (Dennis, Gay & Welsch 1981, eq. 3.1 to 3.3).
+fn learn(
+    missed: &mut DMatrix<f64>,
+    before: &Evaluation,
+    after: &Evaluation,
+    step: &DVector<f64>,
+) {
+    // Below this cosine the change of the gradient says nothing about curvature.
+    const LEAST_COSINE: f64 = 1e-8;
+    let change = &before.descent - &after.descent;
+    let curvature = change.dot(step);
+    if curvature <= LEAST_COSINE * change.norm() * step.norm() {
+        return;
+    }
+    let unexplained = &change - &after.gram * step;
+    let known = step.dot(&(&*missed * step)).abs();
+    if known > 0.0 {
+        *missed *= (step.dot(&unexplained).abs() / known).min(1.0);
+    }
+    let rest = unexplained - &*missed * step;
+    let mixed = &rest * change.transpose();
+    *missed += (&mixed + mixed.transpose()) / curvature
+        - &change * change.transpose() * (rest.dot(step) / (curvature * curvature));
+}
+
 enum Attempt {
-    Lower(Box<Evaluation>, usize),
+    Lower(Box<Evaluation>, DVector<f64>, usize),
     None(SearchStatus, usize),
 }
 
@@ -118,7 +153,7 @@ fn lower(
             continue;
         };
         let system: System = here.system.moved(&step, &problem.layout);
-        let predicted = 2.0 * step.dot(&here.descent) - step.dot(&(&here.gram * &step));
+        let predicted = 2.0 * step.dot(&here.descent) - step.dot(&(&scaled.curvature * &step));
         if system.is_finite() {
             let coefficients = here.coefficients_after(&step, &problem.layout);
             let trial = problem.evaluate(system, coefficients, variances);
@@ -130,8 +165,7 @@ fn lower(
                 } else if ratio < 0.1 {
                     *damping *= 4.0;
                 }
-                let normalised = trial.normalised(&problem.layout);
-                return Attempt::Lower(Box::new(normalised), evaluations);
+                return Attempt::Lower(Box::new(trial), step, evaluations);
             }
         }
         if predicted <= ROUNDING * limits.energy {
@@ -148,10 +182,12 @@ struct Scaled {
     matrix: DMatrix<f64>,
     descent: DVector<f64>,
     inverse_scale: DVector<f64>,
+    /// The same matrix without scale and projector.
+    curvature: DMatrix<f64>,
 }
 
 impl Scaled {
-    fn new(evaluation: &Evaluation, layout: &Layout) -> Self {
+    fn new(evaluation: &Evaluation, missed: &DMatrix<f64>, layout: &Layout) -> Self {
         let gram = &evaluation.gram;
         let inverse_scale =
             gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
@@ -160,16 +196,17 @@ impl Scaled {
             row /= *inverse;
         }
         let q = tangents.qr().q();
-        let mut matrix = &q * q.transpose();
-        for k in 0..matrix.ncols() {
-            for i in 0..matrix.nrows() {
-                matrix[(i, k)] += gram[(i, k)] * inverse_scale[i] * inverse_scale[k];
-            }
-        }
+        let curvature = gram + missed;
+        let unit = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, k| {
+            curvature[(i, k)] * inverse_scale[i] * inverse_scale[k]
+        });
+        // What was learnt may have drifted along N.
+        let half = &unit - &q * (q.transpose() * &unit);
+        let matrix = &half - (&half * &q) * q.transpose() + &q * q.transpose();
         let descent = evaluation.descent.component_mul(&inverse_scale);
         // Along N the descent is rounding errors; they would not move the cost, only the basis.
         let descent = &descent - &q * (q.transpose() * &descent);
-        Self { matrix, descent, inverse_scale }
+        Self { matrix, descent, inverse_scale, curvature }
     }
 
     fn step(&self, damping: f64) -> Option<DVector<f64>> {

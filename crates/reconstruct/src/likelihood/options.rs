@@ -13,7 +13,7 @@ pub enum NoiseModel {
         /// Where the search starts, in the sensors' units; `None` starts at 1 % of each sensor's root mean square.
         first_guess: Option<Vec<f64>>,
     },
-    /// Any spectrum, one for each record, for example that of a vector autoregression fitted to a quiet record.
+    /// Any spectrum, one for each record, for example that of a [`VectorAutoregression`](crate::VectorAutoregression) fitted to a quiet record.
     Spectra(Vec<NoiseSpectrum>),
 }
 
@@ -80,7 +80,7 @@ pub struct LikelihoodOptions {
     pub directions: Directions,
     /// The most steps of Levenberg-Marquardt between two updates of the noise levels. The default is 100: it needs about 5 from a good start.
     pub largest_steps: usize,
-    /// The search ends where the next step would be shorter than this many standard deviations of the estimate. The default is 1e-4.
+    /// The search ends where the next step would be shorter than this many standard deviations of the estimate. The default is 1e-3.
     pub step_tolerance: f64,
     /// The most updates of estimated noise levels; the default is 30: it needs about 5.
     pub largest_updates: usize,
@@ -100,7 +100,7 @@ impl Default for LikelihoodOptions {
             known_inputs: Vec::new(),
             directions: Directions::Reestimated,
             largest_steps: 100,
-            step_tolerance: 1e-4,
+            step_tolerance: 1e-3,
             largest_updates: 30,
             level_tolerance: 1e-3,
         }

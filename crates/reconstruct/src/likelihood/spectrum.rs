@@ -53,7 +53,7 @@ impl RecordSpectrum {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "numbers of samples and sensors are far below 2^52")]
-pub(super) fn count(number: usize) -> f64 {
+pub(crate) fn count(number: usize) -> f64 {
     number as f64
 }
 
@@ -134,7 +134,7 @@ pub(super) fn transform(
 }
 
 /// Root mean square, 1 for a signal that is zero throughout.
-pub(super) fn rms(values: &[f64]) -> f64 {
+pub(crate) fn rms(values: &[f64]) -> f64 {
     let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     if largest == 0.0 {
         return 1.0;
