@@ -14,7 +14,7 @@ use super::spectrum::{Entry, RecordSpectrum};
 use super::system::{Layout, System};
 
 /// How often |g|^2 is taken from the previous solution. The direction settles to its final uncertainty after two or three.
-const REWEIGHTINGS: usize = 4;
+const REWEIGHTINGS: usize = 3;
 /// Frequencies whose z lies so close to an eigenvalue of A, relative to A, are left out: minors lose all digits there.
 const CLOSEST_POLE: f64 = 1e-7;
 /// Squares of singular values below this part of the largest one are rounding errors.

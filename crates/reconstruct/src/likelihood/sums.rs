@@ -114,21 +114,39 @@ pub(super) fn sums(
     // Without a Schur form there is no cost: NaN is never below anything.
     if let Some(tables) = Tables::new(record, seen) {
         let mut totals = Totals::new(n, m, count);
-        pulp::Arch::new()
-            .dispatch(|| add_up(record, &tables, scalars, &mut totals, &mut sums));
+        pulp::Arch::new().dispatch(Loop {
+            record,
+            tables: &tables,
+            scalars,
+            totals: &mut totals,
+            sums: &mut sums,
+        });
         totals.give(&mut sums);
     }
     sums
 }
 
-#[inline(always)]
-fn add_up(
-    record: &RecordSpectrum,
-    tables: &Tables,
+/// The loop over frequencies, compiled once for each kind of vectors.
+struct Loop<'a> {
+    record: &'a RecordSpectrum,
+    tables: &'a Tables,
     scalars: Scalars,
-    totals: &mut Totals,
-    sums: &mut Sums,
-) {
+    totals: &'a mut Totals,
+    sums: &'a mut Sums,
+}
+
+impl pulp::WithSimd for Loop<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _simd: S) {
+        add_up(self);
+    }
+}
+
+#[inline(always)]
+fn add_up(parts: Loop<'_>) {
+    let Loop { record, tables, scalars, totals, sums } = parts;
     let mut tile = Tile::new(sums.real.nrows(), sums.real.ncols());
     let mut at = AtFrequencies::new(tables);
     let frequencies = record.frequencies();
