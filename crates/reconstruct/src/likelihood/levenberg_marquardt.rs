@@ -93,7 +93,8 @@ pub(super) fn minimise(
         }
         match lower(problem, &search.evaluation, &scaled, variances, &limits, &mut damping) {
             Attempt::Lower(next, step, evaluations) => {
-                learn(&mut missed, &search.evaluation, &next, &step);
+                let change = &search.evaluation.descent - &next.descent;
+                learn(&mut missed, &change, &next.gram, &step);
                 search.evaluation = *next;
                 search.steps += 1;
                 search.evaluations += evaluations;
@@ -110,18 +111,17 @@ pub(super) fn minimise(
 /// Updates what the Gram matrix misses, so that it explains the last change of the gradient (Dennis, Gay & Welsch 1981, eq. 3.1 to 3.3).
 fn learn(
     missed: &mut DMatrix<f64>,
-    before: &Evaluation,
-    after: &Evaluation,
+    change: &DVector<f64>,
+    gram: &DMatrix<f64>,
     step: &DVector<f64>,
 ) {
     // Below this cosine the change of the gradient says nothing about curvature.
     const LEAST_COSINE: f64 = 1e-8;
-    let change = &before.descent - &after.descent;
     let curvature = change.dot(step);
     if curvature <= LEAST_COSINE * change.norm() * step.norm() {
         return;
     }
-    let unexplained = &change - &after.gram * step;
+    let unexplained = change - gram * step;
     let known = step.dot(&(&*missed * step)).abs();
     if known > 0.0 {
         *missed *= (step.dot(&unexplained).abs() / known).min(1.0);
@@ -129,7 +129,7 @@ fn learn(
     let rest = unexplained - &*missed * step;
     let mixed = &rest * change.transpose();
     *missed += (&mixed + mixed.transpose()) / curvature
-        - &change * change.transpose() * (rest.dot(step) / (curvature * curvature));
+        - change * change.transpose() * (rest.dot(step) / (curvature * curvature));
 }
 
 enum Attempt {
