@@ -44,8 +44,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let elapsed = clock.elapsed();
     let mut out = std::io::stdout().lock();
     for mode in &fit.modes {
-        let (s, re, im) =
-            (mode.continuous.value, mode.continuous.real_deviation(), mode.continuous.imaginary_deviation());
+        let (s, re, im) = (
+            mode.continuous.value,
+            mode.continuous.real_deviation(),
+            mode.continuous.imaginary_deviation(),
+        );
         writeln!(out, "{:.5} +- {re:.5}  {:+.5}j +- {im:.5} 1/s", s.re, s.im)?;
     }
     for level in fit.noise_levels.iter().flatten() {
@@ -72,13 +75,14 @@ fn flight(
         *entry = StandardNormal.sample(random);
     }
     let outputs = system.simulate(&inputs, None)?.outputs;
-    let channels = SENSORS.iter().zip(levels).zip(outputs.row_iter()).map(|((sensor, level), row)| {
-        let noisy = row.into_iter().map(|value| {
-            let noise: f64 = StandardNormal.sample(random);
-            value + level * noise
+    let channels =
+        SENSORS.iter().zip(levels).zip(outputs.row_iter()).map(|((sensor, level), row)| {
+            let noisy = row.into_iter().map(|value| {
+                let noise: f64 = StandardNormal.sample(random);
+                value + level * noise
+            });
+            Channel::new(format!("{sensor:?}"), noisy.collect())
         });
-        Channel::new(format!("{sensor:?}"), noisy.collect())
-    });
     let channels = channels.collect();
     Ok(Record::new(name, system.period(), channels)?)
 }

@@ -142,11 +142,8 @@ pub fn maximise(
         .map(|(index, record)| transform(record, index, &units, options, &mut planner))
         .collect::<Result<Vec<_>, _>>()?;
     let problem = Problem { layout, spectra };
-    let residuals: f64 = problem
-        .spectra
-        .iter()
-        .map(|spectrum| spectrum.residuals(problem.layout.sensors))
-        .sum();
+    let residuals: f64 =
+        problem.spectra.iter().map(|spectrum| spectrum.residuals(problem.layout.sensors)).sum();
     let needed = count(problem.layout.identifiable())
         + problem
             .no_coefficients()
@@ -279,8 +276,7 @@ fn climb(
     };
     report.objective = objective;
     report.search = Some(search.clone());
-    let climb =
-        objective.is_finite().then_some(Climb { evaluation, variances, objective, search });
+    let climb = objective.is_finite().then_some(Climb { evaluation, variances, objective, search });
     (report, climb)
 }
 
@@ -324,8 +320,7 @@ fn in_own_basis(problem: &Problem, evaluation: Evaluation, variances: &[f64]) ->
     let total: f64 = problem.spectra.iter().flat_map(|spectrum| &spectrum.weight).sum();
     let moments = &evaluation.states / total;
     let scale = moments.diagonal().map(|x| if x > 0.0 { x.sqrt() } else { 1.0 });
-    let mut unit =
-        DMatrix::from_fn(n, n, |i, k| moments[(i, k)] / (scale[i] * scale[k]));
+    let mut unit = DMatrix::from_fn(n, n, |i, k| moments[(i, k)] / (scale[i] * scale[k]));
     for i in 0..n {
         unit[(i, i)] += LEAST_MOTION;
     }

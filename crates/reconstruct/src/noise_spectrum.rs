@@ -99,7 +99,14 @@ pub(crate) fn inverse_of_hermitian(
     let scaled = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, k| {
         0.5 * (matrix[(i, k)] + matrix[(k, i)].conj()) * (scale[i] * scale[k])
     });
-    let inverse = scaled.cholesky()?.inverse();
+    let factor = scaled.cholesky()?;
+    // The square root of a negative pivot is imaginary, which is no error over complex numbers.
+    let definite =
+        factor.l_dirty().diagonal().iter().all(|x| x.re > x.im.abs() && x.re.is_finite());
+    if !definite {
+        return None;
+    }
+    let inverse = factor.inverse();
     let result = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, k| {
         inverse[(i, k)] * (scale[i] * scale[k])
     });

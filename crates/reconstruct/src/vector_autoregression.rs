@@ -62,7 +62,8 @@ impl VectorAutoregression {
             AutoregressionOrder::Akaike { largest } => largest,
         };
         let sensors = record.channels().len();
-        let (samples, unknowns) = (record.samples(), largest.saturating_mul(sensors).saturating_add(1));
+        let (samples, unknowns) =
+            (record.samples(), largest.saturating_mul(sensors).saturating_add(1));
         if samples < largest.saturating_add(unknowns.saturating_mul(2)) {
             return Err(fault(format!(
                 "record {:?} has {samples} samples, an autoregression of order {largest} with {sensors} sensors needs {}",
@@ -146,7 +147,8 @@ impl VectorAutoregression {
             let covariance = &inverse * &innovation * inverse.adjoint();
             Ok((&covariance + covariance.adjoint()) * Complex::new(0.5, 0.0))
         };
-        let covariances = (0..=samples / 2).map(at).collect::<Result<Vec<_>, ReconstructError>>()?;
+        let covariances =
+            (0..=samples / 2).map(at).collect::<Result<Vec<_>, ReconstructError>>()?;
         NoiseSpectrum::new(samples, covariances)
     }
 }
@@ -166,7 +168,8 @@ fn standardised(record: &Record) -> Result<Vec<Signal>, ReconstructError> {
             let mean = channel.values.iter().map(|value| value / number).sum::<f64>();
             let centred: Vec<f64> = channel.values.iter().map(|value| value - mean).collect();
             let unit = rms(&centred);
-            let constant = channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq());
+            let constant =
+                channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq());
             if constant || !unit.is_finite() {
                 return Err(fault(format!(
                     "channel {:?} of record {:?} is constant",
@@ -218,8 +221,7 @@ fn solve(
     // A regressor of which less than this part is new is a copy of the others.
     const COPY: f64 = 1e-10;
     let past = order * sensors;
-    let columns: Vec<usize> =
-        (0..past).chain(largest * sensors..(largest + 1) * sensors).collect();
+    let columns: Vec<usize> = (0..past).chain(largest * sensors..(largest + 1) * sensors).collect();
     let reduced = factor.select_columns(&columns).qr().r();
     let lead = reduced.view((0, 0), (past, past)).into_owned();
     for column in 0..past {
@@ -231,8 +233,7 @@ fn solve(
     let solution =
         if past == 0 { DMatrix::zeros(0, sensors) } else { lead.solve_upper_triangular(&right)? };
     let rest = reduced.view((past, past), (reduced.nrows() - past, sensors)).into_owned();
-    let innovation =
-        rest.transpose() * rest / (equations - count(past)).max(1.0);
+    let innovation = rest.transpose() * rest / (equations - count(past)).max(1.0);
     let deviations: DVector<f64> = innovation.diagonal().map(f64::sqrt);
     let definite = innovation.clone().cholesky()?;
     if (0..sensors).any(|i| definite.l()[(i, i)] <= COPY * deviations[i]) {

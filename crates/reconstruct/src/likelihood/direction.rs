@@ -58,8 +58,7 @@ struct Minors {
 impl Minors {
     fn new(spectrum: &RecordSpectrum, layout: &Layout) -> Self {
         let (n, m) = (layout.order, layout.sensors);
-        let through: Vec<usize> =
-            (0..n).chain(layout.feedthrough.iter().map(|&s| n + s)).collect();
+        let through: Vec<usize> = (0..n).chain(layout.feedthrough.iter().map(|&s| n + s)).collect();
         let mut products = Vec::new();
         for (signal, entry) in spectrum.entries.iter().enumerate() {
             let enters: Vec<usize> = match entry {
@@ -141,9 +140,8 @@ impl Minors {
             let weight = weight * super::spectrum::count(m - 1);
             for (c, &column) in self.columns.iter().enumerate() {
                 for (r, &other) in self.columns.iter().enumerate().take(c + 1) {
-                    let product: f64 = (0..m)
-                        .map(|s| (full[(s, other)].conj() * full[(s, column)]).re)
-                        .sum();
+                    let product: f64 =
+                        (0..m).map(|s| (full[(s, other)].conj() * full[(s, column)]).re).sum();
                     noise[(r, c)] += weight * product;
                 }
             }

@@ -136,8 +136,8 @@ impl Problem {
                 for (other, &second) in cells.iter().enumerate().take(local + 1) {
                     let mut entry = sums.gram(cell, second);
                     for (k, &own_cell) in eliminated.cells.iter().enumerate() {
-                        entry += sums.gram(cell, self.cell(own_cell))
-                            * eliminated.response[(k, other)];
+                        entry +=
+                            sums.gram(cell, self.cell(own_cell)) * eliminated.response[(k, other)];
                     }
                     let column = layout.global(other, record);
                     result.gram[(row, column)] += entry;
@@ -173,18 +173,16 @@ impl Problem {
         const RANK_TOLERANCE: f64 = 1e-12;
         let (own, basis) = self.coefficient_basis(record, system);
         let size = own.len();
-        let gram = DMatrix::from_fn(size, size, |i, k| {
-            sums.gram(self.cell(own[i]), self.cell(own[k]))
-        });
+        let gram =
+            DMatrix::from_fn(size, size, |i, k| sums.gram(self.cell(own[i]), self.cell(own[k])));
         let reduced = basis.transpose() * gram * &basis;
         let scale = DVector::from_iterator(
             reduced.nrows(),
             reduced.diagonal().iter().map(|&d| if d > 0.0 { 1.0 / d.sqrt() } else { 0.0 }),
         );
-        let unit =
-            DMatrix::from_fn(reduced.nrows(), reduced.ncols(), |i, k| {
-                reduced[(i, k)] * scale[i] * scale[k]
-            });
+        let unit = DMatrix::from_fn(reduced.nrows(), reduced.ncols(), |i, k| {
+            reduced[(i, k)] * scale[i] * scale[k]
+        });
         let (mut inverse, mut rank) = (DMatrix::zeros(unit.nrows(), unit.ncols()), 0);
         if unit.nrows() > 0 {
             let eigen = unit.symmetric_eigen();
@@ -198,13 +196,10 @@ impl Problem {
             }
         }
         let inverse = &basis * inverse * basis.transpose();
-        let descent = DVector::from_iterator(
-            size,
-            own.iter().map(|&cell| sums.descent(self.cell(cell))),
-        );
-        let mixed = DMatrix::from_fn(size, cells.len(), |i, k| {
-            sums.gram(self.cell(own[i]), cells[k])
-        });
+        let descent =
+            DVector::from_iterator(size, own.iter().map(|&cell| sums.descent(self.cell(cell))));
+        let mixed =
+            DMatrix::from_fn(size, cells.len(), |i, k| sums.gram(self.cell(own[i]), cells[k]));
         Eliminated { best: &inverse * descent, response: -(inverse * mixed), cells: own, rank }
     }
 

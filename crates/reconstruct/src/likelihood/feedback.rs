@@ -49,7 +49,7 @@ fn riccati(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DMatrix<f64>> {
         if !h.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        if change.norm() <= CONVERGED * h.norm() {
+        if change.amax() <= CONVERGED * h.amax() {
             return Some(h);
         }
     }

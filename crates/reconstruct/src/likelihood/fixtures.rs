@@ -170,11 +170,7 @@ pub(crate) fn misses(fit: &LikelihoodFit, eigenvalues: &[Complex<f64>]) -> Vec<(
         .iter()
         .map(|z| {
             let distance = |mode: &&super::ModeEstimate| (mode.discrete.value - z).norm();
-            let mode = fit
-                .modes
-                .iter()
-                .min_by(|x, y| distance(x).total_cmp(&distance(y)))
-                .unwrap();
+            let mode = fit.modes.iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).unwrap();
             let deviation = mode.discrete.covariance.trace().sqrt();
             (distance(&mode), distance(&mode) / deviation)
         })

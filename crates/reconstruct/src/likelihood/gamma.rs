@@ -5,15 +5,18 @@
 /// Series below the mean, continued fraction (modified Lentz) above it, as in Numerical Recipes 6.2; the prefactor is formed around its maximum,
 /// so that it keeps its digits for millions of degrees of freedom.
 pub(super) fn chi_squared_survival(x: f64, degrees_of_freedom: f64) -> f64 {
-    if !(x > 0.0) || !(degrees_of_freedom > 0.0) {
+    if x <= 0.0 || degrees_of_freedom <= 0.0 || x.is_nan() || degrees_of_freedom.is_nan() {
         return 1.0;
     }
     let (a, x) = (0.5 * degrees_of_freedom, 0.5 * x);
     if x.is_infinite() {
         return 0.0;
     }
-    let tail =
-        if x < a + 1.0 { 1.0 - prefactor(a, x) * series(a, x) } else { prefactor(a, x) * a * fraction(a, x) };
+    let tail = if x < a + 1.0 {
+        1.0 - prefactor(a, x) * series(a, x)
+    } else {
+        prefactor(a, x) * a * fraction(a, x)
+    };
     tail.clamp(0.0, 1.0)
 }
 
@@ -40,7 +43,8 @@ fn log_minus_argument(d: f64) -> f64 {
     (2..20).rev().fold(0.0, |sum, k| {
         let sign = if k % 2 == 0 { -1.0 } else { 1.0 };
         sum * d + sign / f64::from(k)
-    }) * d * d
+    }) * d
+        * d
 }
 
 /// ln Gamma(a + 1) - (a + 1/2) ln a + a - ln(2 pi)/2 for a >= 10.

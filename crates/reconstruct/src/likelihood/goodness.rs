@@ -20,8 +20,7 @@ pub struct ChiSquared {
 
 impl ChiSquared {
     pub(super) fn new(value: f64, degrees_of_freedom: f64, levels_estimated: bool) -> Self {
-        let p_value =
-            (!levels_estimated).then(|| chi_squared_survival(value, degrees_of_freedom));
+        let p_value = (!levels_estimated).then(|| chi_squared_survival(value, degrees_of_freedom));
         Self { value, degrees_of_freedom, p_value }
     }
 
@@ -83,7 +82,8 @@ pub(super) fn whiteness(
     second.fill_upper_triangle_with_lower_triangle();
     // A cost at one frequency has mean w (m - 1) v and variance 2 w (m - 1) v^2.
     let variance = 2.0 * mean * mean / count(sensors - 1);
-    let covariance: DMatrix<f64> = (second - &first * first.transpose() / weights.max(1.0)) * variance;
+    let covariance: DMatrix<f64> =
+        (second - &first * first.transpose() / weights.max(1.0)) * variance;
     let autocorrelations =
         sums.iter().map(|sum| if total > 0.0 { sum / total } else { 0.0 }).collect();
     let (mut statistic, mut rank) = (0.0, 0);

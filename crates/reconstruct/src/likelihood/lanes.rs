@@ -80,7 +80,12 @@ impl Lanes {
 
     /// Every `stride`-th number from `start` on; beyond the end the last one again.
     #[inline(always)]
-    pub(super) fn gather(values: &[Complex<f64>], start: usize, stride: usize, last: usize) -> Self {
+    pub(super) fn gather(
+        values: &[Complex<f64>],
+        start: usize,
+        stride: usize,
+        last: usize,
+    ) -> Self {
         let value: [Complex<f64>; WIDTH] = from_fn(|k| values[(start + k * stride).min(last)]);
         Self { re: Real(from_fn(|k| value[k].re)), im: Real(from_fn(|k| value[k].im)) }
     }

@@ -79,8 +79,7 @@ pub(super) fn minimise(
             missed.fill(0.0);
             scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
         }
-        let variance = (search.evaluation.cost / limits.degrees_of_freedom)
-            .max(f64::MIN_POSITIVE);
+        let variance = (search.evaluation.cost / limits.degrees_of_freedom).max(f64::MIN_POSITIVE);
         search.remaining_step = scaled.step(LEAST_DAMPING).map_or(f64::INFINITY, |step| {
             (step.dot(&search.evaluation.descent).max(0.0) / variance).sqrt()
         });

@@ -80,43 +80,21 @@ impl Resolvent {
         self.smallest_pivot
     }
 
-    /// Replaces x by (zI - A)^-1 x.
-    pub(super) fn solve(&self, x: &mut [Complex<f64>]) {
-        let n = self.order;
-        for k in 0..n {
-            x.swap(k, self.pivots[k]);
-        }
-        for k in 0..n {
-            let value = x[k];
-            for i in k + 1..n {
-                x[i] -= self.factors[i * n + k] * value;
-            }
-        }
-        for k in (0..n).rev() {
-            let mut value = x[k];
-            for l in k + 1..n {
-                value -= self.factors[k * n + l] * x[l];
-            }
-            x[k] = value * self.factors[k * n + k];
-        }
-    }
-
     /// Replaces the row x by x (zI - A)^-1.
     pub(super) fn solve_row(&self, x: &mut [Complex<f64>]) {
         let n = self.order;
         for k in 0..n {
             let value = x[k] * self.factors[k * n + k];
             x[k] = value;
-            for l in k + 1..n {
-                x[l] -= self.factors[k * n + l] * value;
+            let (row, rest) = (&self.factors[k * n + k + 1..(k + 1) * n], &mut x[k + 1..]);
+            for (x, factor) in rest.iter_mut().zip(row) {
+                *x -= factor * value;
             }
         }
         for k in (0..n).rev() {
-            let mut value = x[k];
-            for i in k + 1..n {
-                value -= self.factors[i * n + k] * x[i];
-            }
-            x[k] = value;
+            let column = self.factors[k..].iter().step_by(n).skip(k + 1);
+            let known: Complex<f64> = column.zip(&x[k + 1..]).map(|(factor, x)| factor * x).sum();
+            x[k] -= known;
         }
         for k in (0..n).rev() {
             x.swap(k, self.pivots[k]);

@@ -79,7 +79,6 @@ impl Sums {
     pub(super) fn descent(&self, cell: (usize, usize)) -> f64 {
         self.descent[cell.1 * self.rows + cell.0]
     }
-
 }
 
 /// Index of (i, k) among pairs with i <= k, column by column.
@@ -206,8 +205,7 @@ impl Tables {
         const ITERATIONS: usize = 10_000;
         let (n, m) = (seen.b.len(), seen.d.len());
         let complex = |matrix: &DMatrix<f64>| matrix.map(|x| Complex::new(x, 0.0));
-        let schur =
-            nalgebra::linalg::Schur::try_new(complex(&seen.a), f64::EPSILON, ITERATIONS)?;
+        let schur = nalgebra::linalg::Schur::try_new(complex(&seen.a), f64::EPSILON, ITERATIONS)?;
         let (q, t) = schur.unpack();
         let by_rows = |matrix: &DMatrix<Complex<f64>>| matrix.transpose().as_slice().to_vec();
         let in_schur = |vector: &DVector<f64>| {
@@ -529,13 +527,13 @@ impl AtFrequencies {
         for k in 0..record.entries.len() {
             let factor = self.factors[k];
             if let Some(tau) = &tables.into_state[k] {
-                for i in 0..n {
-                    self.driven[i] += factor * Lanes::all(tau[i]);
+                for (driven, &tau) in self.driven.iter_mut().zip(tau) {
+                    *driven += factor * Lanes::all(tau);
                 }
             }
             if let Some(delta) = &tables.into_sensors[k] {
-                for s in 0..m {
-                    self.e[s] -= factor.scale(Real::all(delta[s]));
+                for (e, &delta) in self.e.iter_mut().zip(delta) {
+                    *e -= factor.scale(Real::all(delta));
                 }
             }
         }

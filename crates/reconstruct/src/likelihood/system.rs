@@ -99,8 +99,7 @@ impl System {
                     tangent[n * n + q * m + s] -= self.c[(s, p)];
                 }
                 for record in 0..layout.records {
-                    tangent[layout.shared() + record * layout.per_record() + p] =
-                        self.b[record][q];
+                    tangent[layout.shared() + record * layout.per_record() + p] = self.b[record][q];
                 }
             }
         }

@@ -148,8 +148,7 @@ impl ComplexEstimate {
     /// The ellipse that holds the number with 95 %.
     #[must_use]
     pub fn ellipse_95(&self) -> Ellipse {
-        let (a, b, c) =
-            (self.covariance[(0, 0)], self.covariance[(0, 1)], self.covariance[(1, 1)]);
+        let (a, b, c) = (self.covariance[(0, 0)], self.covariance[(0, 1)], self.covariance[(1, 1)]);
         let (middle, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
         let axis = |variance: f64| (CHI_SQUARED_TWO_95 * variance.max(0.0)).sqrt();
         Ellipse {
@@ -159,12 +158,15 @@ impl ComplexEstimate {
         }
     }
 
-    fn from_slopes(value: Complex<f64>, slopes: &DVector<Complex<f64>>, covariance: &DMatrix<f64>) -> Self {
+    fn from_slopes(
+        value: Complex<f64>,
+        slopes: &DVector<Complex<f64>>,
+        covariance: &DMatrix<f64>,
+    ) -> Self {
         let (re, im) = (slopes.map(|slope| slope.re), slopes.map(|slope| slope.im));
         let (cov_re, cov_im) = (covariance * &re, covariance * &im);
         let mixed = re.dot(&cov_im);
-        let covariance =
-            Matrix2::new(re.dot(&cov_re), mixed, mixed, im.dot(&cov_im));
+        let covariance = Matrix2::new(re.dot(&cov_re), mixed, mixed, im.dot(&cov_im));
         Self { value, covariance }
     }
 }
@@ -209,12 +211,7 @@ pub(super) fn modes(
     Ok(system.modes()?.into_iter().map(|mode| estimate(mode, n, period, covariance)).collect())
 }
 
-fn estimate(
-    mode: Mode,
-    n: usize,
-    period: SamplePeriod,
-    covariance: &DMatrix<f64>,
-) -> ModeEstimate {
+fn estimate(mode: Mode, n: usize, period: SamplePeriod, covariance: &DMatrix<f64>) -> ModeEstimate {
     let z = mode.discrete_eigenvalue.unwrap_or_default();
     // d lambda = w^H dA v with w^H v = 1. A defective eigenvalue moves infinitely fast.
     let usable = mode.condition.is_some_and(f64::is_finite);
@@ -223,7 +220,9 @@ fn estimate(
             let slopes = DVector::from_fn(n * n, |k, _| w[k % n].conj() * v[k / n]);
             ComplexEstimate::from_slopes(z, &slopes, covariance)
         }
-        _ => ComplexEstimate { value: z, covariance: Matrix2::from_diagonal_element(f64::INFINITY) },
+        _ => {
+            ComplexEstimate { value: z, covariance: Matrix2::from_diagonal_element(f64::INFINITY) }
+        }
     };
     let s = mode.eigenvalue;
     // ds = dz / (z T): a rotation and a stretching of the plane.
@@ -250,18 +249,16 @@ fn estimate(
     };
     let real = Estimate { value: s.re, deviation: along(Vector2::new(1.0, 0.0)) };
     let [low, high] = real.interval_95();
-    let interval =
-        (finite && low * high > 0.0).then(|| [-1.0 / low, -1.0 / high]).map(|[x, y]| [x.min(y), x.max(y)]);
+    let interval = (finite && low * high > 0.0)
+        .then(|| [-1.0 / low, -1.0 / high])
+        .map(|[x, y]| [x.min(y), x.max(y)]);
     ModeEstimate {
         natural_frequency_rad_s: Estimate {
             value: mode.natural_frequency_rad_s,
             deviation: along(frequency),
         },
         damping_ratio: Estimate { value: mode.damping_ratio, deviation: along(damping) },
-        time_constant_s: Estimate {
-            value: -1.0 / s.re,
-            deviation: real.deviation / (s.re * s.re),
-        },
+        time_constant_s: Estimate { value: -1.0 / s.re, deviation: real.deviation / (s.re * s.re) },
         time_constant_interval_95: interval,
         discrete,
         continuous,

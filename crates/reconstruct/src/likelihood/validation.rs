@@ -1,6 +1,6 @@
 //! What is asked of records, starts and options before anything is computed.
 
-use super::options::{FrequencyBand, LikelihoodOptions, NoiseModel, Offsets};
+use super::options::{Directions, FrequencyBand, LikelihoodOptions, NoiseModel, Offsets};
 use super::system::Layout;
 use crate::error::check_tolerance;
 use crate::record::check_compatible;
@@ -70,10 +70,10 @@ fn check_options(
     if let Offsets::PriorDeviation(deviations) = &options.offsets {
         check_levels("deviations of offsets", deviations, sensors)?;
     }
-    if let Some(FrequencyBand { lowest_rad_s, highest_rad_s }) = options.band {
-        if !(lowest_rad_s >= 0.0 && highest_rad_s > lowest_rad_s) {
-            return Err(option("band", format!("from {lowest_rad_s} to {highest_rad_s} rad/s")));
-        }
+    if let Some(FrequencyBand { lowest_rad_s, highest_rad_s }) = options.band
+        && !(lowest_rad_s >= 0.0 && highest_rad_s > lowest_rad_s)
+    {
+        return Err(option("band", format!("from {lowest_rad_s} to {highest_rad_s} rad/s")));
     }
     let listed = &options.feedthrough_sensors;
     for (place, &sensor) in listed.iter().enumerate() {
@@ -122,10 +122,15 @@ fn check_known_inputs(
                     ),
                 ));
             }
-            if input.iter().any(|value| !value.is_finite()) || input.iter().all(|&v| v.abs() < f64::MIN_POSITIVE) {
+            if input.iter().any(|value| !value.is_finite())
+                || input.iter().all(|&v| v.abs() < f64::MIN_POSITIVE)
+            {
                 return Err(option(
                     NAME,
-                    format!("an input of record {:?} is not finite or zero throughout", record.name()),
+                    format!(
+                        "an input of record {:?} is not finite or zero throughout",
+                        record.name()
+                    ),
                 ));
             }
         }
@@ -155,13 +160,13 @@ fn check_start(
             records.len()
         ));
     }
-    if let Some(feedthrough) = &start.feedthrough {
-        if feedthrough.len() != records.len() || feedthrough.iter().any(|d| d.len() != sensors) {
-            return fault(format!(
-                "the feedthrough needs {} vectors of length {sensors}",
-                records.len()
-            ));
-        }
+    if let Some(feedthrough) = &start.feedthrough
+        && (feedthrough.len() != records.len() || feedthrough.iter().any(|d| d.len() != sensors))
+    {
+        return fault(format!(
+            "the feedthrough needs {} vectors of length {sensors}",
+            records.len()
+        ));
     }
     let vectors = start.b.iter().chain(start.feedthrough.iter().flatten());
     let finite = start.a.iter().chain(start.c.iter()).chain(vectors.flat_map(|v| v.iter()));
@@ -174,10 +179,10 @@ fn check_start(
         });
         start.b[record].norm() + d == 0.0
     };
-    if options.directions == super::options::Directions::AsStarted {
-        if let Some(record) = (0..records.len()).find(|&record| idle(record)) {
-            return fault(format!("the direction of record {record} is zero"));
-        }
+    if options.directions == Directions::AsStarted
+        && let Some(record) = (0..records.len()).find(|&record| idle(record))
+    {
+        return fault(format!("the direction of record {record} is zero"));
     }
     Ok(())
 }

@@ -17,7 +17,10 @@ fn record(channels: Vec<Vec<f64>>) -> Record {
 
 /// v(k) = A v(k-1) + B v(k-2) + L e(k), the second sensor in units a thousand times smaller.
 fn planted(samples: usize, seed: u64) -> (Record, [DMatrix<f64>; 2], DMatrix<f64>) {
-    let (a, b) = (DMatrix::from_row_slice(2, 2, &[0.6, 0.2, -0.1, 0.4]), DMatrix::from_row_slice(2, 2, &[-0.3, 0.0, 0.1, 0.2]));
+    let (a, b) = (
+        DMatrix::from_row_slice(2, 2, &[0.6, 0.2, -0.1, 0.4]),
+        DMatrix::from_row_slice(2, 2, &[-0.3, 0.0, 0.1, 0.2]),
+    );
     let l = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.5, 0.7]);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut last, mut before) = (DVector::zeros(2), DVector::zeros(2));
@@ -44,7 +47,11 @@ fn finds_a_planted_autoregression() {
                 for k in 0..2 {
                     // The deviation of a coefficient is about 1 / sqrt(40000).
                     let scaled = found[(i, k)] * unit[k] / unit[i];
-                    assert!((scaled - truth[(i, k)]).abs() < 0.03, "{scaled} for {}", truth[(i, k)]);
+                    assert!(
+                        (scaled - truth[(i, k)]).abs() < 0.03,
+                        "{scaled} for {}",
+                        truth[(i, k)]
+                    );
                 }
             }
         }
@@ -84,9 +91,8 @@ fn the_mean_of_the_spectrum_is_the_variance() {
     let (record, ..) = planted(20_000, 3);
     let fitted = VectorAutoregression::fit(&record, AutoregressionOrder::Fixed(2)).unwrap();
     let spectrum = fitted.spectrum(512).unwrap();
-    let mean: f64 = (0..512)
-        .map(|k: usize| spectrum.covariances()[k.min(512 - k)][(0, 0)].re / 512.0)
-        .sum();
+    let mean: f64 =
+        (0..512).map(|k: usize| spectrum.covariances()[k.min(512 - k)][(0, 0)].re / 512.0).sum();
     let values = &record.channels()[0].values;
     let variance = values.iter().map(|v| (v - 5.0).powi(2)).sum::<f64>() / 20_000.0;
     assert!((mean / variance - 1.0).abs() < 0.03, "{mean} for {variance}");

@@ -19,7 +19,9 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
     let mut model = system(&eigenvalues, 3, 2, &mut normal);
     if feedthrough {
         model.feedthrough = Some(
-            (0..2).map(|_| DVector::from_column_slice(&[normal.next(), 0.0, normal.next()])).collect(),
+            (0..2)
+                .map(|_| DVector::from_column_slice(&[normal.next(), 0.0, normal.next()]))
+                .collect(),
         );
     }
     let known = if everything { 1.0 } else { 0.0 };
@@ -38,7 +40,8 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
     if spectra {
         let spectrum = |samples: usize| {
             let covariances = (0..=samples / 2).map(|_| {
-                let root = DMatrix::from_fn(3, 3, |_, _| Complex::new(normal.next(), normal.next()));
+                let root =
+                    DMatrix::from_fn(3, 3, |_, _| Complex::new(normal.next(), normal.next()));
                 &root * root.adjoint() + DMatrix::identity(3, 3)
             });
             NoiseSpectrum::new(samples, covariances.collect()).unwrap()
@@ -185,7 +188,8 @@ fn free_directions_carry_no_information() {
         let tangents = here.system.free_directions(&problem.layout);
         for tangent in tangents.column_iter() {
             let information = tangent.dot(&(&here.gram * tangent));
-            let size: f64 = tangent.iter().zip(here.gram.diagonal().iter()).map(|(t, g)| t * t * g).sum();
+            let size: f64 =
+                tangent.iter().zip(here.gram.diagonal().iter()).map(|(t, g)| t * t * g).sum();
             assert!(information.abs() < 1e-9 * size, "{information:e} of {size:e}");
             let slope = tangent.dot(&here.descent).abs();
             assert!(slope < 1e-7 * (size * here.cost).sqrt(), "{slope:e}");
@@ -210,11 +214,8 @@ fn coefficients_follow_a_step_to_first_order() {
         assert!((before.cost / after.cost - 1.0).abs() < 1e-9);
         let still = DVector::zeros(problem.layout.parameters());
         let best = before.coefficients_after(&still, &problem.layout);
-        let distance: f64 = best[0][0]
-            .iter()
-            .zip(&before.coefficients[0][0])
-            .map(|(x, y)| (x - y).powi(2))
-            .sum();
+        let distance: f64 =
+            best[0][0].iter().zip(&before.coefficients[0][0]).map(|(x, y)| (x - y).powi(2)).sum();
         distance.sqrt()
     };
     let (far, near) = (miss(1e-4), miss(1e-5));
