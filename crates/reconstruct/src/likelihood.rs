@@ -51,7 +51,7 @@ pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};
 use evaluation::{Evaluation, Problem};
-use levenberg_marquardt::{Limits, minimise};
+use levenberg_marquardt::{Limits, Search, minimise};
 use spectrum::transform;
 pub(crate) use spectrum::{count, rms};
 use sums::Scalars;
@@ -250,13 +250,14 @@ fn climb(
             degrees_of_freedom: (residuals - parameters).max(1.0),
             energy: energy(&variances),
         };
-        let found = minimise(problem, evaluation, &variances, limits);
+        let found = rounds(problem, evaluation, &variances, limits, &mut update);
         evaluation = found.evaluation;
         search.status = found.status;
         search.steps += found.steps;
         search.evaluations += found.evaluations;
         search.remaining_step = found.remaining_step;
-        if !estimate_levels || search.level_updates >= options.largest_updates {
+        let exhausted = found.status == SearchStatus::StepLimit;
+        if !estimate_levels || exhausted || search.level_updates >= options.largest_updates {
             break;
         }
         let (next, change) = noise_levels::updated(&evaluation, &variances);
@@ -278,6 +279,34 @@ fn climb(
     report.search = Some(search.clone());
     let climb = objective.is_finite().then_some(Climb { evaluation, variances, objective, search });
     (report, climb)
+}
+
+/// Searches in rounds, and asks between them whether the spectra now tell a better direction: from a poor start the directions are what the
+/// search gets stuck on.
+fn rounds(
+    problem: &Problem,
+    start: Evaluation,
+    variances: &[f64],
+    limits: Limits,
+    update: &mut impl FnMut(Evaluation, &[f64]) -> Evaluation,
+) -> Search {
+    const STEPS_IN_A_ROUND: usize = 8;
+    let mut steps = 0;
+    let mut evaluations = 0;
+    let mut here = start;
+    loop {
+        let round = Limits { steps: STEPS_IN_A_ROUND.min(limits.steps - steps), ..limits };
+        let mut found = minimise(problem, here, variances, round);
+        steps += found.steps;
+        evaluations += found.evaluations;
+        found.steps = steps;
+        found.evaluations = evaluations;
+        let over = found.status != SearchStatus::StepLimit || steps == limits.steps;
+        if over {
+            return found;
+        }
+        here = update(found.evaluation, variances);
+    }
 }
 
 /// The start in scaled sensors.

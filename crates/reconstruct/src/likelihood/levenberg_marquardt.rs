@@ -159,11 +159,8 @@ fn lower(
             evaluations += 1;
             if trial.cost < here.cost {
                 let ratio = (here.cost - trial.cost) / predicted;
-                if ratio > 0.5 {
-                    *damping = (*damping * 0.1).max(LEAST_DAMPING);
-                } else if ratio < 0.1 {
-                    *damping *= 4.0;
-                }
+                let factor = if ratio > 0.9 { 0.1 } else { 1.0 - (2.0 * ratio - 1.0).powi(3) };
+                *damping = (*damping * factor.clamp(0.1, 4.0)).max(LEAST_DAMPING);
                 return Attempt::Lower(Box::new(trial), step, evaluations);
             }
         }
