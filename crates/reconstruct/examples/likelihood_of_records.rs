@@ -1,4 +1,4 @@
-//! Two simulated flights of the paper's aircraft with sensor noise of 1 %, and what maximum likelihood makes of them from a poor start.
+//! Two simulated flights of the paper's aircraft with sensor noise of 1 %, and what maximum likelihood makes of them from a start that is slightly off.
 //!
 //! `cargo run --release -p reconstruct --example likelihood_of_records [samples]`
 
@@ -30,11 +30,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         flight("aileron", 0, &system, samples, &levels, &mut random)?,
         flight("rudder", 1, &system, samples, &levels, &mut random)?,
     ];
-    // From here on nobody knows what moved; the start is wrong by 1 % in every entry and knows no direction.
+    // From here on nobody knows what moved; the start is off by 1e-3 in every entry and knows no direction.
     let mut off = || -> f64 { StandardNormal.sample(&mut random) };
     let start = SharedModel {
-        a: system.a().map(|entry| entry * (1.0 + 0.01 * off())),
-        c: system.c().map(|entry| entry + 0.01 * off()),
+        a: system.a().map(|entry| entry * (1.0 + 1e-3 * off())),
+        c: system.c().map(|entry| entry + 1e-3 * off()),
         b: vec![DVector::from_element(4, 1.0); 2],
         feedthrough: None,
         period: system.period(),

@@ -10,6 +10,9 @@
 //! | [`difference_zeros`] | where the transmissibilities of two records agree |
 //! | [`shared_zeros`] | the zeros that several differences of transmissibilities have in common |
 //! | [`as_printed`] | the whole method: records to eigenvalues |
+//! | [`SharedModel`] | dynamics common to all records, with the direction in which each was excited |
+//! | [`maximise`] | maximum likelihood from noisy records: the system, its modes and how certain they are |
+//! | [`VectorAutoregression`], [`NoiseSpectrum`] | the disturbance's spectrum from a quiet record |
 //!
 //! Each stage can be called by itself. Results carry ranks, residuals, condition numbers and spreads; what makes a result
 //! untrustworthy is in its [`Doubt`]s.

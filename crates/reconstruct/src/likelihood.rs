@@ -128,6 +128,53 @@ pub struct StartReport {
 /// Records that do not fit together; [`ReconstructError::TooFewRecords`] and [`ReconstructError::TooFewSensors`] below two of each;
 /// [`ReconstructError::ConstantChannel`]; [`ReconstructError::Start`] and [`ReconstructError::Option`] for starts and options that do not fit the records;
 /// [`ReconstructError::Noise`] for noise that is not one; [`ReconstructError::TooFewSamples`] where there are not more residuals than parameters.
+///
+/// # Example
+///
+/// x1 and x2 decay by 0.9 and 0.5 a step; three sensors read x1 + x2, x1 - x2 and x1 + 3 x2 with noise of 0.01. The first record is excited through
+/// b = (1, 1), the second through b = (1, 2).
+///
+/// ```
+/// use lti::SamplePeriod;
+/// use nalgebra::{DMatrix, DVector};
+/// use reconstruct::{Channel, LikelihoodOptions, Record, SharedModel, maximise};
+///
+/// let mut state = 1_u32;
+/// let mut uniform = || {
+///     state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+///     f64::from(state) / 2_147_483_648.0 - 1.0
+/// };
+/// let mut record = |name: &str, b: [f64; 2]| {
+///     let mut x = [0.0, 0.0];
+///     let mut outputs = vec![Vec::new(); 3];
+///     for _ in 0..500 {
+///         let [x1, x2] = x;
+///         for (output, value) in outputs.iter_mut().zip([x1 + x2, x1 - x2, x1 + 3.0 * x2]) {
+///             output.push(value + 0.01 * 3.0_f64.sqrt() * uniform());
+///         }
+///         let u = uniform();
+///         x = [0.9 * x1 + b[0] * u, 0.5 * x2 + b[1] * u];
+///     }
+///     let channels = outputs.into_iter().zip(["y1", "y2", "y3"]).map(|(values, name)| Channel::new(name, values));
+///     Record::new(name, SamplePeriod::new(1.0)?, channels.collect()).map_err(Box::<dyn std::error::Error>::from)
+/// };
+/// let records = [record("first", [1.0, 1.0])?, record("second", [1.0, 2.0])?];
+/// // A start that is roughly right, and knows nothing of the directions.
+/// let start = SharedModel {
+///     a: DMatrix::from_row_slice(2, 2, &[0.88, 0.0, 0.0, 0.53]),
+///     c: DMatrix::from_row_slice(3, 2, &[1.0, 1.1, 1.0, -0.9, 1.0, 3.0]),
+///     b: vec![DVector::from_element(2, 1.0); 2],
+///     feedthrough: None,
+///     period: SamplePeriod::new(1.0)?,
+/// };
+/// let fit = maximise(&records, &[start], &LikelihoodOptions::default())?;
+/// let slow = fit.modes[1].discrete;
+/// assert!((slow.value.re - 0.9).abs() < 3.0 * slow.real_deviation());
+/// assert!(slow.real_deviation() < 1e-3);
+/// let level = fit.noise_levels.unwrap()[0];
+/// assert!((level.value - 0.01).abs() < 3.0 * level.deviation);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn maximise(
     records: &[Record],
     starts: &[SharedModel],
@@ -211,7 +258,7 @@ fn climb(
         better_directions(problem, evaluation, variances, &mut report.direction_replaced)
     };
     evaluation = update(evaluation, &variances);
-    if estimate_levels {
+    if matches!(options.noise, NoiseModel::Estimated { first_guess: None }) {
         // A first idea of the levels before anything moves, since the directions depend on their ratios.
         const BEFORE_THE_SEARCH: usize = 3;
         for _ in 0..BEFORE_THE_SEARCH {

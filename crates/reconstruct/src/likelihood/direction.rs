@@ -6,6 +6,8 @@
 //! (m - 1) [H I]^H [H I] to its matrix on average; so (b, d) is the smallest eigenvector of the sum relative to that noise part. |g|^2 is unknown at first and is
 //! taken from the previous solution (iterative quadratic maximum likelihood, Bresler & Macovski 1986, with the bias of the noise taken out).
 
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 
@@ -90,8 +92,8 @@ impl Minors {
     ) -> (DMatrix<f64>, DMatrix<f64>) {
         let (n, m) = (self.n, self.m);
         let size = self.unknown + self.products.len();
-        let mut data = DMatrix::zeros(size, size);
-        let mut noise = DMatrix::zeros(self.unknown, self.unknown);
+        let mut data = Squares::new(size);
+        let mut noise = Squares::new(self.unknown);
         let a = system.a.transpose().as_slice().to_vec();
         let mut resolvent = Resolvent::new(n);
         let mut full = DMatrix::<Complex<f64>>::zeros(m, n + m);
@@ -118,37 +120,30 @@ impl Minors {
             whitening.apply(&mut full, &mut y);
             let weight = spectrum.weight[k] / self.length(&full, previous);
             let factors = &spectrum.factors[k * spectrum.entries.len()..];
+            let scale = weight.sqrt();
             for i in 0..m {
                 for l in i + 1..m {
                     for (target, &column) in minor.iter_mut().zip(&self.columns) {
-                        *target = y[i] * full[(l, column)] - y[l] * full[(i, column)];
+                        *target = (y[i] * full[(l, column)] - y[l] * full[(i, column)]) * scale;
                     }
                     for (target, &(signal, p, q)) in
                         minor[self.unknown..].iter_mut().zip(&self.products)
                     {
-                        *target = -factors[signal]
-                            * (full[(i, p)] * full[(l, q)] - full[(l, p)] * full[(i, q)]);
+                        let minor = full[(i, p)] * full[(l, q)] - full[(l, p)] * full[(i, q)];
+                        *target = -factors[signal] * minor * scale;
                     }
-                    for c in 0..size {
-                        let second = minor[c] * weight;
-                        for r in 0..=c {
-                            data[(r, c)] += minor[r].re * second.re + minor[r].im * second.im;
-                        }
-                    }
+                    data.add(&minor);
                 }
             }
-            let weight = weight * super::spectrum::count(m - 1);
-            for (c, &column) in self.columns.iter().enumerate() {
-                for (r, &other) in self.columns.iter().enumerate().take(c + 1) {
-                    let product: f64 =
-                        (0..m).map(|s| (full[(s, other)].conj() * full[(s, column)]).re).sum();
-                    noise[(r, c)] += weight * product;
+            let scale = scale * super::spectrum::count(m - 1).sqrt();
+            for s in 0..m {
+                for (target, &column) in minor.iter_mut().zip(&self.columns) {
+                    *target = full[(s, column)] * scale;
                 }
+                noise.add(&minor[..self.unknown]);
             }
         }
-        data.fill_lower_triangle_with_upper_triangle();
-        noise.fill_lower_triangle_with_upper_triangle();
-        (data, noise)
+        (data.finish(), noise.finish())
     }
 
     /// |g|^2 of the previous solution, or, before there is one, of all directions together.
@@ -168,6 +163,43 @@ impl Minors {
             })
             .sum();
         length.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// The sum of Re r^H r over rows r, gathered in blocks for matrix products.
+struct Squares {
+    size: usize,
+    /// Real and imaginary parts of rows, one real row after the other.
+    block: Vec<f64>,
+    sum: Mat<f64>,
+}
+
+impl Squares {
+    /// Real rows in a block.
+    const ROWS: usize = 512;
+
+    fn new(size: usize) -> Self {
+        Self { size, block: Vec::with_capacity(size * Self::ROWS), sum: Mat::zeros(size, size) }
+    }
+
+    fn add(&mut self, row: &[Complex<f64>]) {
+        self.block.extend(row.iter().map(|entry| entry.re));
+        self.block.extend(row.iter().map(|entry| entry.im));
+        if self.block.len() >= self.size * Self::ROWS {
+            self.flush();
+        }
+    }
+
+    fn flush(&mut self) {
+        let rows = self.block.len() / self.size.max(1);
+        let block = MatRef::from_column_major_slice(&self.block, self.size, rows);
+        matmul(self.sum.as_mut(), Accum::Add, block, block.transpose(), 1.0, Par::Seq);
+        self.block.clear();
+    }
+
+    fn finish(mut self) -> DMatrix<f64> {
+        self.flush();
+        DMatrix::from_fn(self.size, self.size, |i, k| self.sum[(i.min(k), i.max(k))])
     }
 }
 
