@@ -1,6 +1,6 @@
 use std::slice::from_ref;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -298,6 +298,25 @@ fn ten_records_of_ten_lengths() {
     assert_eq!(fit.determined, 3 * 10 + 3 * 3 - 10);
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
     assert_eq!((fit.whiteness.len(), fit.record_chi_squared.len()), (10, 10));
+}
+
+#[test]
+fn ten_states_six_sensors_five_records() {
+    let pair = |radius: f64, angle: f64| Complex::from_polar(radius, angle);
+    let eigenvalues =
+        [pair(0.98, 0.2), pair(0.95, 0.6), pair(0.9, 1.2), pair(0.99, 1.9), pair(0.8, 2.6)];
+    let mut normal = Normal::new(14);
+    let truth = system(&eigenvalues, 6, 5, &mut normal);
+    let samples = [400, 300, 350, 301, 420];
+    let clean = fly(&truth, &samples, &QUIET, &mut normal);
+    let start = perturbed(&truth, 1e-4, &mut normal);
+    let fit = maximise(&clean.records, from_ref(&start), &given(&clean.levels)).unwrap();
+    assert_eq!((fit.determined, fit.identifiable), (105, 105));
+    assert!(misses(&fit, &eigenvalues).iter().all(|(miss, _)| *miss < 1e-7), "{:?}", fit.search);
+    let disturbance = Disturbance { noise: 0.01, ..QUIET };
+    let noisy = fly(&truth, &samples, &disturbance, &mut normal);
+    let fit = maximise(&noisy.records, &[start], &LikelihoodOptions::default()).unwrap();
+    assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 5.0));
 }
 
 #[test]

@@ -1,3 +1,4 @@
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::super::evaluation::Problem;
