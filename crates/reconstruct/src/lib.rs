@@ -55,8 +55,8 @@ pub use error::ReconstructError;
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate, FrequencyBand, LikelihoodFit,
-    LikelihoodOptions, ModeEstimate, NoiseModel, Offsets, SearchReport, SearchStatus, StartReport,
-    Trend, Whiteness, maximise,
+    LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, SearchReport, SearchStatus,
+    StartReport, Trend, Whiteness, maximise,
 };
 pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};

@@ -51,7 +51,7 @@ use realfft::RealFftPlanner;
 
 pub use goodness::{ChiSquared, Whiteness};
 pub use levenberg_marquardt::SearchStatus;
-pub use options::{Directions, FrequencyBand, LikelihoodOptions, NoiseModel, Offsets, Trend};
+pub use options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};

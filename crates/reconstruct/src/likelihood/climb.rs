@@ -6,7 +6,7 @@ use super::direction;
 use super::evaluation::{Evaluation, Problem};
 use super::levenberg_marquardt::{Limits, Search, SearchStatus, minimise};
 use super::noise_levels;
-use super::options::{Directions, LikelihoodOptions, NoiseModel};
+use super::options::{Directions, LikelihoodNoise, LikelihoodOptions};
 use super::spectrum::{RecordSpectrum, count};
 use super::system::{Layout, System};
 use super::{SearchReport, StartReport};
@@ -28,7 +28,7 @@ pub(super) fn climb(
     residuals: f64,
     options: &LikelihoodOptions,
 ) -> (StartReport, Option<Climb>) {
-    let estimate_levels = matches!(options.noise, NoiseModel::Estimated { .. });
+    let estimate_levels = matches!(options.noise, LikelihoodNoise::Estimated { .. });
     let mut variances = vec![1.0; units.len()];
     let system = scaled(start, units, &problem.layout).normalised();
     let mut evaluation = settled(problem, system, &variances);
@@ -49,7 +49,7 @@ pub(super) fn climb(
         better_directions(problem, evaluation, variances, &mut report.direction_replaced)
     };
     evaluation = update(evaluation, &variances);
-    if matches!(options.noise, NoiseModel::Estimated { first_guess: None }) {
+    if matches!(options.noise, LikelihoodNoise::Estimated { first_guess: None }) {
         // A first idea of the levels before anything moves, since the directions depend on their ratios.
         const BEFORE_THE_SEARCH: usize = 3;
         for _ in 0..BEFORE_THE_SEARCH {

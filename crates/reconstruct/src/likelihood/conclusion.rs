@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::climb::{Climb, settled_again};
 use super::evaluation::Problem;
-use super::options::{LikelihoodOptions, NoiseModel};
+use super::options::{LikelihoodNoise, LikelihoodOptions};
 use super::spectrum::count;
 use super::sums::Scalars;
 use super::system::{Layout, System};
@@ -24,7 +24,7 @@ pub(super) fn conclude(
     best_start: usize,
 ) -> Result<LikelihoodFit, ReconstructError> {
     let layout = &problem.layout;
-    let estimated = matches!(options.noise, NoiseModel::Estimated { .. });
+    let estimated = matches!(options.noise, LikelihoodNoise::Estimated { .. });
     let Climb { mut evaluation, mut variances, search, .. } = climb;
     let parameters = count(layout.identifiable() + evaluation.nuisance_rank);
     let degrees_of_freedom = (residuals - parameters).max(1.0);
@@ -70,7 +70,7 @@ pub(super) fn conclude(
         ReconstructError::Step { step: "modes of the fitted system", message: error.to_string() }
     })?;
     let noise_levels = match options.noise {
-        NoiseModel::Spectra(_) => None,
+        LikelihoodNoise::Spectra(_) => None,
         _ => Some(noise_levels::estimates(&evaluation, &variances, units, estimated)),
     };
     let record_chi_squared = evaluation

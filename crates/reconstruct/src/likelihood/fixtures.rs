@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::{LikelihoodFit, LikelihoodOptions, NoiseModel};
+use super::{LikelihoodFit, LikelihoodNoise, LikelihoodOptions};
 use crate::{Channel, Record, SharedModel};
 
 /// A source of standard normal numbers.
@@ -161,7 +161,10 @@ pub(crate) fn perturbed(model: &SharedModel, part: f64, normal: &mut Normal) -> 
 
 /// Options for records with these levels.
 pub(crate) fn given(levels: &[f64]) -> LikelihoodOptions {
-    LikelihoodOptions { noise: NoiseModel::Given(levels.to_vec()), ..LikelihoodOptions::default() }
+    LikelihoodOptions {
+        noise: LikelihoodNoise::Given(levels.to_vec()),
+        ..LikelihoodOptions::default()
+    }
 }
 
 /// For each eigenvalue the distance of the closest fitted one, and that distance over its deviation.

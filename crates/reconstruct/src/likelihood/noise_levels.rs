@@ -10,7 +10,7 @@
 use nalgebra::DVector;
 
 use super::evaluation::Evaluation;
-use super::options::{LikelihoodOptions, NoiseModel};
+use super::options::{LikelihoodNoise, LikelihoodOptions};
 use super::spectrum::{count, rms};
 use super::uncertainty::Estimate;
 use crate::Record;
@@ -22,10 +22,9 @@ const FIRST_GUESS: f64 = 0.01;
 pub(super) fn units(records: &[Record], options: &LikelihoodOptions) -> Vec<f64> {
     let sensors = records.first().map_or(0, |record| record.channels().len());
     match &options.noise {
-        NoiseModel::Given(levels) | NoiseModel::Estimated { first_guess: Some(levels) } => {
-            levels.clone()
-        }
-        NoiseModel::Estimated { first_guess: None } => (0..sensors)
+        LikelihoodNoise::Given(levels)
+        | LikelihoodNoise::Estimated { first_guess: Some(levels) } => levels.clone(),
+        LikelihoodNoise::Estimated { first_guess: None } => (0..sensors)
             .map(|sensor| {
                 let squares: f64 = records
                     .iter()
@@ -34,7 +33,7 @@ pub(super) fn units(records: &[Record], options: &LikelihoodOptions) -> Vec<f64>
                 FIRST_GUESS * (squares / count(records.len())).sqrt()
             })
             .collect(),
-        NoiseModel::Spectra(spectra) => (0..sensors)
+        LikelihoodNoise::Spectra(spectra) => (0..sensors)
             .map(|sensor| {
                 let all = spectra.iter().flat_map(|spectrum| spectrum.covariances());
                 let (sum, number) = all.fold((0.0, 0.0), |(sum, number), covariance| {

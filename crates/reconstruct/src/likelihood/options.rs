@@ -5,7 +5,7 @@ use crate::NoiseSpectrum;
 /// The covariance of what the sensors read beside the response to the unknown excitation.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum NoiseModel {
+pub enum LikelihoodNoise {
     /// White, independent between sensors, with known standard deviations in the sensors' units: one per sensor.
     Given(Vec<f64>),
     /// White, independent between sensors, with standard deviations that are estimated by restricted likelihood.
@@ -63,7 +63,7 @@ pub struct FrequencyBand {
 #[non_exhaustive]
 pub struct LikelihoodOptions {
     /// The noise; by default white with estimated levels.
-    pub noise: NoiseModel,
+    pub noise: LikelihoodNoise,
     /// Sensor offsets; by default zero, since leaving frequency zero out multiplies the deviation of slow modes (by 30 for the roll mode
     /// of a 30 s record).
     pub offsets: Offsets,
@@ -92,7 +92,7 @@ pub struct LikelihoodOptions {
 impl Default for LikelihoodOptions {
     fn default() -> Self {
         Self {
-            noise: NoiseModel::Estimated { first_guess: None },
+            noise: LikelihoodNoise::Estimated { first_guess: None },
             offsets: Offsets::Zero,
             trend: Trend::Absent,
             band: None,

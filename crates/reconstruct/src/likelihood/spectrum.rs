@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
-use super::options::{FrequencyBand, LikelihoodOptions, NoiseModel, Offsets, Trend};
+use super::options::{FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
 use crate::noise_spectrum::inverse_of_hermitian;
 use crate::{ReconstructError, Record};
 
@@ -116,7 +116,7 @@ pub(super) fn transform(
         _ => vec![0.0; units.len()],
     };
     let precision = match &options.noise {
-        NoiseModel::Spectra(spectra) => {
+        LikelihoodNoise::Spectra(spectra) => {
             Some(precisions(&spectra[index], &kept, units, &offset_variance)?)
         }
         _ => None,

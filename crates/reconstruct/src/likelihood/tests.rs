@@ -57,7 +57,7 @@ pub(super) fn start(value: &Value) -> SharedModel {
     }
 }
 
-fn options(noise: NoiseModel, key: &str) -> LikelihoodOptions {
+fn options(noise: LikelihoodNoise, key: &str) -> LikelihoodOptions {
     let offsets = if key == "offsets_free" { Offsets::Free } else { Offsets::Zero };
     LikelihoodOptions { noise, offsets, ..LikelihoodOptions::default() }
 }
@@ -76,7 +76,7 @@ fn agrees_with_numpy_where_noise_levels_are_known() {
         let Oracle { records, value } = oracle(pair);
         for key in ["offsets_zero", "offsets_free"] {
             let part = &value[key];
-            let options = options(NoiseModel::Given(numbers(&value["noise_true"])), key);
+            let options = options(LikelihoodNoise::Given(numbers(&value["noise_true"])), key);
             let fit = maximise(&records, &[start(part)], &options).unwrap();
             assert_eq!(fit.search.status, SearchStatus::Converged, "{pair} {key}");
             assert_eq!((fit.determined, fit.identifiable), (18, 18));
@@ -116,7 +116,7 @@ fn estimated_levels_are_those_of_the_simulation() {
     for pair in PAIRS {
         let Oracle { records, value } = oracle(pair);
         for key in ["offsets_zero", "offsets_free"] {
-            let options = options(NoiseModel::Estimated { first_guess: None }, key);
+            let options = options(LikelihoodNoise::Estimated { first_guess: None }, key);
             let fit = maximise(&records, &[start(&value[key])], &options).unwrap();
             assert!(fit.search.levels_settled && fit.search.status == SearchStatus::Converged);
             let truth = numbers(&value["noise_true"]);
@@ -133,7 +133,8 @@ fn estimated_levels_are_those_of_the_simulation() {
                 assert!(test.p_value > 0.01, "{pair} {key} {}: {}", test.record, test.p_value);
             }
             // With the true levels chi-squared says the same: the levels found explain the residuals.
-            let known = LikelihoodOptions { noise: NoiseModel::Given(truth), ..options.clone() };
+            let known =
+                LikelihoodOptions { noise: LikelihoodNoise::Given(truth), ..options.clone() };
             let known = maximise(&records, from_ref(&fit.model), &known).unwrap();
             let limit = if records[0].samples() == 2000 { 0.03 } else { 0.10 };
             assert!((known.chi_squared.per_degree_of_freedom() - 1.0).abs() < limit);
@@ -422,7 +423,7 @@ fn a_quiet_record_whitens_coloured_noise() {
     let order = AutoregressionOrder::Akaike { largest: 6 };
     let spectrum = VectorAutoregression::fit(&quiet, order).unwrap().spectrum(1500).unwrap();
     let options = LikelihoodOptions {
-        noise: NoiseModel::Spectra(vec![spectrum.clone(), spectrum]),
+        noise: LikelihoodNoise::Spectra(vec![spectrum.clone(), spectrum]),
         ..LikelihoodOptions::default()
     };
     let start = perturbed(&truth, 1e-3, &mut normal);

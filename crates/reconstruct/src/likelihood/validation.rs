@@ -1,6 +1,6 @@
 //! What is asked of records, starts and options before anything is computed.
 
-use super::options::{Directions, FrequencyBand, LikelihoodOptions, NoiseModel, Offsets};
+use super::options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets};
 use super::system::Layout;
 use crate::error::check_tolerance;
 use crate::record::check_compatible;
@@ -49,11 +49,12 @@ fn check_options(
     check_tolerance("the tolerance of the last step", options.step_tolerance)?;
     check_tolerance("the tolerance of the noise levels", options.level_tolerance)?;
     match &options.noise {
-        NoiseModel::Given(levels) | NoiseModel::Estimated { first_guess: Some(levels) } => {
+        LikelihoodNoise::Given(levels)
+        | LikelihoodNoise::Estimated { first_guess: Some(levels) } => {
             check_levels("noise levels", levels, sensors)?;
         }
-        NoiseModel::Estimated { first_guess: None } => {}
-        NoiseModel::Spectra(spectra) => {
+        LikelihoodNoise::Estimated { first_guess: None } => {}
+        LikelihoodNoise::Spectra(spectra) => {
             let shapes = spectra.iter().map(|spectrum| (spectrum.samples(), spectrum.sensors()));
             let needed = records.iter().map(|record| (record.samples(), sensors));
             if !shapes.clone().eq(needed.clone()) {

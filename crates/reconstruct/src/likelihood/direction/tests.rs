@@ -86,7 +86,7 @@ fn whitening_takes_the_noise_to_unity() {
     let covariance = &root * root.adjoint();
     let spectrum = NoiseSpectrum::new(2, vec![covariance.clone(); 2]).unwrap();
     let options = LikelihoodOptions {
-        noise: super::super::options::NoiseModel::Spectra(vec![spectrum]),
+        noise: super::super::options::LikelihoodNoise::Spectra(vec![spectrum]),
         ..LikelihoodOptions::default()
     };
     let model = system(&[pole(0.7, 0.0)], 3, 1, &mut normal);

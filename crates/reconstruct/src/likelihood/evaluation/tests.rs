@@ -2,7 +2,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::super::fixtures::{Disturbance, Normal, fly, system};
-use super::super::options::{LikelihoodOptions, NoiseModel, Offsets, Trend};
+use super::super::options::{LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
 use super::super::spectrum::transform;
 use super::*;
 use crate::NoiseSpectrum;
@@ -46,7 +46,7 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
             });
             NoiseSpectrum::new(samples, covariances.collect()).unwrap()
         };
-        options.noise = NoiseModel::Spectra(samples.map(spectrum).to_vec());
+        options.noise = LikelihoodNoise::Spectra(samples.map(spectrum).to_vec());
     }
     let mut planner = RealFftPlanner::new();
     let spectra = flights

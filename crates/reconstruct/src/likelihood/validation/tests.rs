@@ -27,15 +27,15 @@ fn bad_input_is_named() {
         refuse(records, &starts, &options)
     };
     assert!(matches!(
-        option(&|o| o.noise = NoiseModel::Given(vec![1.0; 2])),
+        option(&|o| o.noise = LikelihoodNoise::Given(vec![1.0; 2])),
         ReconstructError::Option { name: "noise levels", .. }
     ));
     assert!(matches!(
-        option(&|o| o.noise = NoiseModel::Given(vec![1.0, 0.0, 1.0])),
+        option(&|o| o.noise = LikelihoodNoise::Given(vec![1.0, 0.0, 1.0])),
         ReconstructError::InvalidTolerance { .. }
     ));
     assert!(matches!(
-        option(&|o| o.noise = NoiseModel::Spectra(Vec::new())),
+        option(&|o| o.noise = LikelihoodNoise::Spectra(Vec::new())),
         ReconstructError::Noise { .. }
     ));
     assert!(matches!(
