@@ -285,6 +285,38 @@ pub enum ReconstructError {
         /// What went wrong, with its numbers.
         message: String,
     },
+    /// Noise that has no covariance, or not that of these records.
+    #[error("noise: {message}")]
+    Noise {
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// A start that does not fit the records.
+    #[error("start {start}: {message}")]
+    Start {
+        /// Index of the start.
+        start: usize,
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// An option that does not fit the records.
+    #[error("{name}: {message}")]
+    Option {
+        /// Which option.
+        name: &'static str,
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// Fewer residuals than parameters.
+    #[error(
+        "the frequencies used give {residuals} residuals for {parameters} parameters: longer records, more sensors or a wider band are needed"
+    )]
+    TooFewSamples {
+        /// Real residuals, (m - 1) for each sample.
+        residuals: f64,
+        /// Parameters to be determined, transients included.
+        parameters: f64,
+    },
     /// A polynomial or realization step failed.
     #[error("{step}: {message}")]
     Step {

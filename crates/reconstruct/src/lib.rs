@@ -11,7 +11,9 @@
 //! | [`shared_zeros`] | the zeros that several differences of transmissibilities have in common |
 //! | [`as_printed`] | the whole method: records to eigenvalues |
 //! | [`intersect`] | eigenvalues, shapes and excitations of noisy records, by the intersection of their signal subspaces |
+//! | [`maximise`] | maximum likelihood from noisy records: the system, its modes and how certain they are |
 //! | [`SharedModel`], [`NoiseModel`] | what records have in common, and what is known about their noise |
+//! | [`VectorAutoregression`], [`NoiseSpectrum`] | the disturbance's spectrum from a quiet record |
 //!
 //! Each stage can be called by itself. Results carry ranks, residuals, condition numbers and spreads; what makes a result
 //! untrustworthy is in its [`Doubt`]s.
@@ -37,13 +39,16 @@ mod as_printed;
 mod difference;
 mod error;
 mod identification;
+mod likelihood;
 mod matching;
 mod noise_model;
+mod noise_spectrum;
 mod pair;
 mod record;
 mod shared;
 mod shared_model;
 mod subspace;
+mod vector_autoregression;
 
 pub use as_printed::{
     AsPrinted, AsPrintedOptions, Difference, Doubt, ReconstructedMode, as_printed,
@@ -52,6 +57,12 @@ pub use difference::{Zero, difference_zeros};
 pub use error::ReconstructError;
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use noise_model::NoiseModel;
+pub use likelihood::{
+    ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate, FrequencyBand, LikelihoodFit,
+    LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, SearchReport, SearchStatus,
+    StartReport, Trend, Whiteness, maximise,
+};
+pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
@@ -60,6 +71,7 @@ pub use subspace::{
     Centring, DirectPath, ExcitationRank, Intersection, NoiseEvidence, NoiseOrigin, OrderChoice,
     OrderEvidence, RecordEvidence, SubspaceDoubt, SubspaceMode, SubspaceOptions, intersect,
 };
+pub use vector_autoregression::{AutoregressionOrder, VectorAutoregression};
 
 /// The README's example compiles.
 #[cfg(doctest)]
