@@ -12,7 +12,7 @@ const ALLOWED: [(&str, &[&str]); 12] = [
     ("era", &["lti", "poly"]),
     ("cfi-ident", &["hankel"]),
     ("aircraft", &["lti"]),
-    ("reconstruct", &["cfi-ident", "era", "lti", "poly"]),
+    ("reconstruct", &["cfi-ident", "doubled", "era", "hankel", "lti", "poly"]),
     ("report", &[]),
     ("transmode", &["aircraft", "cfi-ident", "lti", "poly", "reconstruct", "report"]),
     (

@@ -4,7 +4,7 @@ use lti::{SamplePeriod, z_to_s};
 use num_complex::Complex;
 
 use crate::error::check_tolerance;
-use crate::record::check_compatible;
+use crate::record::{check_compatible, refuse_constant_channels};
 use crate::{
     Identification, IdentificationOptions, ReconstructError, Record, SharedZeros, Zero,
     difference_zeros, identify, shared_zeros,
@@ -255,7 +255,7 @@ pub fn as_printed(
         return Err(ReconstructError::TooFewSensors { found: sensors, needed: 3 });
     }
 
-    refuse_dead_channels(records)?;
+    refuse_constant_channels(records)?;
     let identifications = records
         .iter()
         .flat_map(|record| (1..sensors).map(move |output| (record, output)))
@@ -319,23 +319,6 @@ fn mode_shape(
             })
     };
     std::iter::once(Complex::new(1.0, 0.0)).chain((1..sensors).map(in_channel)).collect()
-}
-
-/// A sensor that reads the same throughout says nothing, and as a pseudo input would make any answer possible.
-fn refuse_dead_channels(records: &[Record]) -> Result<(), ReconstructError> {
-    for record in records {
-        let dead = record.channels().iter().find(|channel| {
-            channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq())
-        });
-        if let Some(channel) = dead {
-            return Err(ReconstructError::ConstantChannel {
-                record: record.name().to_owned(),
-                channel: channel.name.clone(),
-                value: channel.values[0],
-            });
-        }
-    }
-    Ok(())
 }
 
 /// Whether every transmissibility has a pole there.

@@ -155,6 +155,124 @@ pub enum ReconstructError {
         /// The pseudo output.
         output: String,
     },
+    /// More unknowns than the sensors of all records can tell.
+    #[error(
+        "{records} record(s) of {sensors} sensor(s): J (m - 1) = {} must exceed m = {sensors}, {}",
+        .records * .sensors.saturating_sub(1),
+        identifiability_hint(*.sensors)
+    )]
+    NotIdentifiable {
+        /// The number of records, J.
+        records: usize,
+        /// The number of sensors, m.
+        sensors: usize,
+    },
+    /// A record that reads zero throughout.
+    #[error(
+        "record {record:?} is zero throughout: nothing excited the system, or nothing was recorded"
+    )]
+    ZeroRecord {
+        /// The record's name.
+        record: String,
+    },
+    /// Two channels that are multiples of each other.
+    #[error(
+        "channels {first:?} and {second:?} are the same signal up to the factor {factor:.3e} in all records: leave one of them out"
+    )]
+    DuplicatedChannel {
+        /// The first channel.
+        first: String,
+        /// Its double.
+        second: String,
+        /// What the first must be multiplied with to give the second.
+        factor: f64,
+    },
+    /// A record with too few samples for its block rows.
+    #[error(
+        "record {record:?} has {samples} samples, but {block_rows} block rows of {sensors} sensors need {needed}"
+    )]
+    RecordTooShort {
+        /// The record's name.
+        record: String,
+        /// How many samples it has.
+        samples: usize,
+        /// How many are needed.
+        needed: usize,
+        /// The number of block rows, L.
+        block_rows: usize,
+        /// The number of sensors, m.
+        sensors: usize,
+    },
+    /// Too few block rows for the order.
+    #[error(
+        "{order} states from {records} record(s) of {sensors} sensors need {needed} block rows (L >= (J - 1) n / (J (m - 1) - m) and L > n), \
+         not {block_rows}"
+    )]
+    TooFewBlockRows {
+        /// The number of block rows given, L.
+        block_rows: usize,
+        /// How many are needed.
+        needed: usize,
+        /// The order, n.
+        order: usize,
+        /// The number of records, J.
+        records: usize,
+        /// The number of sensors, m.
+        sensors: usize,
+    },
+    /// An order below one.
+    #[error("an order of {order} was asked for, but a system has at least one state")]
+    InvalidOrder {
+        /// The order asked for.
+        order: usize,
+    },
+    /// An order that the shortest record cannot tell.
+    #[error(
+        "an order of {order} needs {needed} samples with {sensors} sensors, but record {record:?} has {samples}: \
+         it can tell {largest} state(s)"
+    )]
+    OrderTooHigh {
+        /// The order asked for.
+        order: usize,
+        /// The shortest record.
+        record: String,
+        /// How many samples it has.
+        samples: usize,
+        /// How many are needed.
+        needed: usize,
+        /// The largest order that it can tell.
+        largest: usize,
+        /// The number of sensors, m.
+        sensors: usize,
+    },
+    /// Noise levels that don't match the sensors.
+    #[error("{found} noise level(s) for {sensors} sensor(s)")]
+    NoiseLevelCount {
+        /// How many were given.
+        found: usize,
+        /// The number of sensors.
+        sensors: usize,
+    },
+    /// A noise level that is not a positive, finite number.
+    #[error("the noise level of sensor {channel:?} is {value}, but must be positive and finite")]
+    InvalidNoiseLevel {
+        /// The sensor.
+        channel: String,
+        /// Its level.
+        value: f64,
+    },
+    /// A quiet record whose covariance is singular.
+    #[error(
+        "the quiet record {record:?} shows noise in {rank} of {rows} directions only: one with the noise of every sensor is needed"
+    )]
+    SilentRecord {
+        /// The quiet record.
+        record: String,
+        /// Number of directions with noise.
+        rank: usize,
+        /// Number of directions, m L.
+        rows: usize,
+    },
     /// One transmissibility could not be identified.
     #[error("record {record:?}, transmissibility from {input:?} to {output:?}: {message}")]
     Identification {
@@ -167,6 +285,38 @@ pub enum ReconstructError {
         /// What went wrong, with its numbers.
         message: String,
     },
+    /// Noise that has no covariance, or not that of these records.
+    #[error("noise: {message}")]
+    Noise {
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// A start that does not fit the records.
+    #[error("start {start}: {message}")]
+    Start {
+        /// Index of the start.
+        start: usize,
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// An option that does not fit the records.
+    #[error("{name}: {message}")]
+    Option {
+        /// Which option.
+        name: &'static str,
+        /// What is wrong, with its numbers.
+        message: String,
+    },
+    /// Fewer residuals than parameters.
+    #[error(
+        "the frequencies used give {residuals} residuals for {parameters} parameters: longer records, more sensors or a wider band are needed"
+    )]
+    TooFewSamples {
+        /// Real residuals, (m - 1) for each sample.
+        residuals: f64,
+        /// Parameters to be determined, transients included.
+        parameters: f64,
+    },
     /// A polynomial or realization step failed.
     #[error("{step}: {message}")]
     Step {
@@ -175,6 +325,14 @@ pub enum ReconstructError {
         /// What went wrong, with its numbers.
         message: String,
     },
+}
+
+/// How many records would do.
+fn identifiability_hint(sensors: usize) -> String {
+    match sensors {
+        0 | 1 => "which no number of records of one sensor does: two sensors and three records, or three sensors and two records are needed".to_owned(),
+        _ => format!("which takes {} records of these sensors", sensors / (sensors - 1) + 1),
+    }
 }
 
 /// A tolerance must be positive and finite: zero would make every comparison of computed numbers fail.

@@ -185,5 +185,22 @@ pub(crate) fn check_compatible(records: &[Record]) -> Result<(), ReconstructErro
     Ok(())
 }
 
+/// A sensor that reads the same throughout says nothing, and as a pseudo input would make any answer possible.
+pub(crate) fn refuse_constant_channels(records: &[Record]) -> Result<(), ReconstructError> {
+    for record in records {
+        let dead = record.channels().iter().find(|channel| {
+            channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq())
+        });
+        if let Some(channel) = dead {
+            return Err(ReconstructError::ConstantChannel {
+                record: record.name().to_owned(),
+                channel: channel.name.clone(),
+                value: channel.values[0],
+            });
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,252 @@
+//! From one start to the top of the likelihood: basis, directions, noise levels, search.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::direction;
+use super::evaluation::{Evaluation, Problem};
+use super::levenberg_marquardt::{Limits, Search, SearchStatus, minimise};
+use super::noise_levels;
+use super::options::{Directions, LikelihoodNoise, LikelihoodOptions};
+use super::spectrum::{RecordSpectrum, count};
+use super::system::{Layout, System};
+use super::{SearchReport, StartReport};
+use crate::SharedModel;
+
+/// The top that one start leads to.
+pub(super) struct Climb {
+    pub(super) evaluation: Evaluation,
+    pub(super) variances: Vec<f64>,
+    pub(super) objective: f64,
+    pub(super) search: SearchReport,
+}
+
+/// From one start to the top.
+pub(super) fn climb(
+    problem: &Problem,
+    start: &SharedModel,
+    units: &[f64],
+    residuals: f64,
+    options: &LikelihoodOptions,
+) -> (StartReport, Option<Climb>) {
+    let estimate_levels = matches!(options.noise, LikelihoodNoise::Estimated { .. });
+    let mut variances = vec![1.0; units.len()];
+    let system = scaled(start, units, &problem.layout).normalised();
+    let mut evaluation = settled(problem, system, &variances);
+    evaluation = in_own_basis(problem, evaluation, &variances);
+    let mut report = StartReport {
+        cost_at_start: evaluation.cost,
+        direction_replaced: vec![false; problem.layout.records],
+        objective: f64::INFINITY,
+        search: None,
+    };
+    if !evaluation.cost.is_finite() {
+        return (report, None);
+    }
+    let mut update = |evaluation: Evaluation, variances: &[f64]| {
+        if options.directions == Directions::AsStarted {
+            return evaluation;
+        }
+        better_directions(problem, evaluation, variances, &mut report.direction_replaced)
+    };
+    evaluation = update(evaluation, &variances);
+    if matches!(options.noise, LikelihoodNoise::Estimated { first_guess: None }) {
+        // A first idea of the levels before anything moves, since the directions depend on their ratios.
+        const BEFORE_THE_SEARCH: usize = 3;
+        for _ in 0..BEFORE_THE_SEARCH {
+            variances = noise_levels::updated(&evaluation, &variances).0;
+            evaluation = settled_again(problem, evaluation, &variances);
+        }
+        evaluation = update(evaluation, &variances);
+    }
+    let energy = |variances: &[f64]| -> f64 {
+        let part = |spectrum: &RecordSpectrum| -> f64 {
+            spectrum
+                .y
+                .chunks_exact(variances.len())
+                .zip(&spectrum.weight)
+                .map(|(y, weight)| {
+                    let sum: f64 = y.iter().zip(variances).map(|(y, v)| y.norm_sqr() / v).sum();
+                    weight * sum
+                })
+                .sum()
+        };
+        problem.spectra.iter().map(part).sum()
+    };
+    let mut search = SearchReport {
+        status: SearchStatus::StepLimit,
+        steps: 0,
+        evaluations: 0,
+        level_updates: 0,
+        levels_settled: !estimate_levels,
+        remaining_step: f64::INFINITY,
+    };
+    loop {
+        let parameters = count(problem.layout.identifiable() + evaluation.nuisance_rank);
+        let limits = Limits {
+            steps: options.largest_steps,
+            step_tolerance: options.step_tolerance,
+            degrees_of_freedom: (residuals - parameters).max(1.0),
+            energy: energy(&variances),
+        };
+        let found = rounds(problem, evaluation, &variances, limits, &mut update);
+        evaluation = found.evaluation;
+        search.status = found.status;
+        search.steps += found.steps;
+        search.evaluations += found.evaluations;
+        search.remaining_step = found.remaining_step;
+        let exhausted = found.status == SearchStatus::StepLimit;
+        if !estimate_levels || exhausted || search.level_updates >= options.largest_updates {
+            break;
+        }
+        let (next, change) = noise_levels::updated(&evaluation, &variances);
+        search.levels_settled = change <= options.level_tolerance;
+        if search.levels_settled {
+            break;
+        }
+        variances = next;
+        search.level_updates += 1;
+        evaluation = settled_again(problem, evaluation, &variances);
+        search.evaluations += 1;
+    }
+    let objective = if estimate_levels {
+        evaluation.cost + evaluation.log_determinant
+    } else {
+        evaluation.cost
+    };
+    report.objective = objective;
+    report.search = Some(search.clone());
+    let climb = objective.is_finite().then_some(Climb { evaluation, variances, objective, search });
+    (report, climb)
+}
+
+/// Searches in rounds, and asks between them whether the spectra now tell a better direction: from a poor start the directions are what the
+/// search gets stuck on.
+fn rounds(
+    problem: &Problem,
+    start: Evaluation,
+    variances: &[f64],
+    limits: Limits,
+    update: &mut impl FnMut(Evaluation, &[f64]) -> Evaluation,
+) -> Search {
+    const STEPS_IN_A_ROUND: usize = 8;
+    let mut steps = 0;
+    let mut evaluations = 0;
+    let mut here = start;
+    loop {
+        let round = Limits { steps: STEPS_IN_A_ROUND.min(limits.steps - steps), ..limits };
+        let mut found = minimise(problem, here, variances, round);
+        steps += found.steps;
+        evaluations += found.evaluations;
+        found.steps = steps;
+        found.evaluations = evaluations;
+        let over = found.status != SearchStatus::StepLimit || steps == limits.steps;
+        if over {
+            return found;
+        }
+        here = update(found.evaluation, variances);
+    }
+}
+
+/// The start in scaled sensors.
+pub(super) fn scaled(start: &SharedModel, units: &[f64], layout: &Layout) -> System {
+    let unit = DVector::from_column_slice(units);
+    let mut c = start.c.clone();
+    for (mut row, unit) in c.row_iter_mut().zip(units) {
+        row /= *unit;
+    }
+    let d = (0..layout.records).map(|record| {
+        let mut d = DVector::zeros(layout.sensors);
+        if let Some(feedthrough) = &start.feedthrough {
+            for &sensor in &layout.feedthrough {
+                d[sensor] = feedthrough[record][sensor] / unit[sensor];
+            }
+        }
+        d
+    });
+    System { a: start.a.clone(), c, b: start.b.clone(), d: d.collect() }
+}
+
+/// Evaluates twice: the coefficients of known signals first, then everything around them.
+pub(super) fn settled(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
+    let first = problem.evaluate(system, problem.no_coefficients(), variances);
+    settled_again(problem, first, variances)
+}
+
+/// Evaluates the same system around its best coefficients.
+pub(super) fn settled_again(
+    problem: &Problem,
+    evaluation: Evaluation,
+    variances: &[f64],
+) -> Evaluation {
+    let still = DVector::zeros(problem.layout.parameters());
+    let coefficients = evaluation.coefficients_after(&still, &problem.layout);
+    problem.evaluate(evaluation.system, coefficients, variances)
+}
+
+/// The same system in the basis in which the states of all records have unit second moments.
+fn in_own_basis(problem: &Problem, evaluation: Evaluation, variances: &[f64]) -> Evaluation {
+    // A state that the records hardly move keeps this part of the largest one's scale.
+    const LEAST_MOTION: f64 = 1e-10;
+    let n = problem.layout.order;
+    let total: f64 = problem.spectra.iter().flat_map(|spectrum| &spectrum.weight).sum();
+    let moments = &evaluation.states / total;
+    let scale = moments.diagonal().map(|x| if x > 0.0 { x.sqrt() } else { 1.0 });
+    let mut unit = DMatrix::from_fn(n, n, |i, k| moments[(i, k)] / (scale[i] * scale[k]));
+    for i in 0..n {
+        unit[(i, i)] += LEAST_MOTION;
+    }
+    let Some(factor) = unit.cholesky() else {
+        return evaluation;
+    };
+    let t = DMatrix::from_diagonal(&scale) * factor.l();
+    let Some(inverse) = t.clone().try_inverse() else {
+        return evaluation;
+    };
+    let system = evaluation.system.in_basis(&t, &inverse).normalised();
+    if !system.is_finite() {
+        return evaluation;
+    }
+    settled(problem, system, variances)
+}
+
+/// Takes for each record the direction estimated from the spectra where it fits better than the present one.
+fn better_directions(
+    problem: &Problem,
+    evaluation: Evaluation,
+    variances: &[f64],
+    replaced: &mut [bool],
+) -> Evaluation {
+    let mut candidate = evaluation.system.clone();
+    for (record, spectrum) in problem.spectra.iter().enumerate() {
+        let found = direction::direction(spectrum, &evaluation.system, &problem.layout, variances);
+        if let Some((b, d)) = found {
+            candidate.b[record] = b;
+            candidate.d[record] = d;
+        }
+    }
+    let trial = settled(problem, candidate.normalised(), variances);
+    let better: Vec<bool> = trial
+        .record_costs
+        .iter()
+        .zip(&evaluation.record_costs)
+        .map(|(trial, present)| trial < present)
+        .collect();
+    for (replaced, better) in replaced.iter_mut().zip(&better) {
+        *replaced |= better;
+    }
+    if better.iter().all(|better| *better) {
+        return trial;
+    }
+    if !better.iter().any(|better| *better) {
+        return evaluation;
+    }
+    let mut mixed = evaluation.system.clone();
+    let mut coefficients = evaluation.coefficients.clone();
+    for (record, _) in better.iter().enumerate().filter(|(_, better)| **better) {
+        mixed.b[record].clone_from(&trial.system.b[record]);
+        mixed.d[record].clone_from(&trial.system.d[record]);
+        coefficients[record].clone_from(&trial.coefficients[record]);
+    }
+    let first = problem.evaluate(mixed, coefficients, variances);
+    settled_again(problem, first, variances)
+}

@@ -1,0 +1,128 @@
+//! From the top of the likelihood to its result: deviations, tests of fit, the sensors' units.
+
+use lti::SamplePeriod;
+use nalgebra::{DMatrix, DVector};
+
+use super::climb::{Climb, settled_again};
+use super::evaluation::Problem;
+use super::options::{LikelihoodNoise, LikelihoodOptions};
+use super::spectrum::count;
+use super::sums::Scalars;
+use super::system::{Layout, System};
+use super::{ChiSquared, LikelihoodFit, StartReport, goodness, noise_levels, uncertainty};
+use crate::{ReconstructError, Record, SharedModel};
+
+#[expect(clippy::too_many_arguments, reason = "the parts of one result, put together in one place")]
+pub(super) fn conclude(
+    records: &[Record],
+    problem: &Problem,
+    climb: Climb,
+    units: &[f64],
+    residuals: f64,
+    options: &LikelihoodOptions,
+    starts: Vec<StartReport>,
+    best_start: usize,
+) -> Result<LikelihoodFit, ReconstructError> {
+    let layout = &problem.layout;
+    let estimated = matches!(options.noise, LikelihoodNoise::Estimated { .. });
+    let Climb { mut evaluation, mut variances, search, .. } = climb;
+    let parameters = count(layout.identifiable() + evaluation.nuisance_rank);
+    let degrees_of_freedom = (residuals - parameters).max(1.0);
+    if estimated {
+        // The restricted likelihood leaves out the excitations; the parameters took their share of the residuals, too.
+        let share = evaluation.cost / degrees_of_freedom;
+        if share > 0.0 && share.is_finite() {
+            variances.iter_mut().for_each(|variance| *variance *= share);
+        }
+    }
+    evaluation.system = evaluation.system.normalised();
+    evaluation = settled_again(problem, evaluation, &variances);
+    let mut noise_part = DMatrix::zeros(layout.parameters(), layout.parameters());
+    let cells = layout.local_cells();
+    let mut whiteness = Vec::with_capacity(records.len());
+    for (record, source) in records.iter().enumerate() {
+        let sums = problem.record_sums(
+            record,
+            &evaluation.system,
+            &evaluation.coefficients,
+            &variances,
+            Scalars::NoisePart,
+            true,
+        );
+        for (local, &first) in cells.iter().enumerate() {
+            for (other, &second) in cells.iter().enumerate() {
+                noise_part[(layout.global(local, record), layout.global(other, record))] +=
+                    sums.gram(first, second);
+            }
+        }
+        whiteness.push(goodness::whiteness(
+            source.name(),
+            &problem.spectra[record],
+            sums.spectrum.as_deref().unwrap_or_default(),
+            layout.sensors,
+        ));
+    }
+    let parameters = uncertainty::covariance(&evaluation, &noise_part, layout);
+    let period = records[0].period();
+    let n = layout.order;
+    let states = parameters.matrix.view((0, 0), (n * n, n * n)).into_owned();
+    let modes = uncertainty::modes(&evaluation.system.a, period, &states).map_err(|error| {
+        ReconstructError::Step { step: "modes of the fitted system", message: error.to_string() }
+    })?;
+    let noise_levels = match options.noise {
+        LikelihoodNoise::Spectra(_) => None,
+        _ => Some(noise_levels::estimates(&evaluation, &variances, units, estimated)),
+    };
+    let record_chi_squared = evaluation
+        .record_costs
+        .iter()
+        .zip(&problem.spectra)
+        .map(|(cost, spectrum)| {
+            cost / (spectrum.residuals(layout.sensors) * degrees_of_freedom / residuals)
+        })
+        .collect();
+    Ok(LikelihoodFit {
+        covariance: in_sensor_units(&parameters.matrix, units, layout),
+        model: model(&evaluation.system, units, layout, period),
+        modes,
+        feedthrough_sensors: layout.feedthrough.clone(),
+        determined: parameters.determined,
+        identifiable: layout.identifiable(),
+        noise_levels,
+        chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),
+        record_chi_squared,
+        whiteness,
+        search,
+        starts,
+        best_start,
+    })
+}
+
+fn model(system: &System, units: &[f64], layout: &Layout, period: SamplePeriod) -> SharedModel {
+    let unit = DVector::from_column_slice(units);
+    let mut c = system.c.clone();
+    for (mut row, unit) in c.row_iter_mut().zip(units) {
+        row *= *unit;
+    }
+    let feedthrough = (!layout.feedthrough.is_empty())
+        .then(|| system.d.iter().map(|d| d.component_mul(&unit)).collect());
+    SharedModel { a: system.a.clone(), c, b: system.b.clone(), feedthrough, period }
+}
+
+fn in_sensor_units(covariance: &DMatrix<f64>, units: &[f64], layout: &Layout) -> DMatrix<f64> {
+    let (n, m) = (layout.order, layout.sensors);
+    let mut scale = DVector::from_element(layout.parameters(), 1.0);
+    for l in 0..n {
+        for s in 0..m {
+            scale[n * n + l * m + s] = units[s];
+        }
+    }
+    for record in 0..layout.records {
+        for (k, &sensor) in layout.feedthrough.iter().enumerate() {
+            scale[layout.shared() + record * layout.per_record() + n + k] = units[sensor];
+        }
+    }
+    DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, k| {
+        covariance[(i, k)] * scale[i] * scale[k]
+    })
+}

@@ -1,0 +1,145 @@
+//! The unknowns of the fit and where each of them stands in the vector of parameters.
+
+use nalgebra::{DMatrix, DVector};
+
+/// A, C, and for each record b_j and d_j, in scaled sensors.
+#[derive(Clone, Debug)]
+pub(super) struct System {
+    pub(super) a: DMatrix<f64>,
+    pub(super) c: DMatrix<f64>,
+    pub(super) b: Vec<DVector<f64>>,
+    /// m entries each, zero where a sensor has no feedthrough.
+    pub(super) d: Vec<DVector<f64>>,
+}
+
+/// The order of the parameters: A by columns, C by columns, then for each record b_j and those entries of d_j that are free.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    pub(super) order: usize,
+    pub(super) sensors: usize,
+    pub(super) records: usize,
+    /// The sensors that read the excitation directly.
+    pub(super) feedthrough: Vec<usize>,
+}
+
+impl Layout {
+    /// Parameters of each record: b_j and d_j.
+    pub(super) fn per_record(&self) -> usize {
+        self.order + self.feedthrough.len()
+    }
+
+    /// Parameters of A and C.
+    pub(super) fn shared(&self) -> usize {
+        self.order * (self.order + self.sensors)
+    }
+
+    pub(super) fn parameters(&self) -> usize {
+        self.shared() + self.records * self.per_record()
+    }
+
+    /// Directions that leave the likelihood as it is: the basis of the states and the scale of each excitation.
+    pub(super) fn free_directions(&self) -> usize {
+        self.order * self.order + self.records
+    }
+
+    /// n J + m n - J, and one more per free entry of d_j.
+    pub(super) fn identifiable(&self) -> usize {
+        self.parameters() - self.free_directions()
+    }
+
+    /// Index in the vector of parameters of local parameter `local` of record `record`: A and C first, then its own b and d.
+    pub(super) fn global(&self, local: usize, record: usize) -> usize {
+        if local < self.shared() { local } else { local + record * self.per_record() }
+    }
+
+    /// Each local parameter as (row, column) of [A b; C d]: row i < n is a state, row n + s is sensor s; column n is the excitation.
+    pub(super) fn local_cells(&self) -> Vec<(usize, usize)> {
+        let (n, m) = (self.order, self.sensors);
+        let a = (0..n).flat_map(move |l| (0..n).map(move |i| (i, l)));
+        let c = (0..n).flat_map(move |l| (0..m).map(move |s| (n + s, l)));
+        let b = (0..n).map(move |i| (i, n));
+        let d = self.feedthrough.iter().map(move |&s| (n + s, n));
+        a.chain(c).chain(b).chain(d).collect()
+    }
+}
+
+impl System {
+    /// The system after a step in the parameters.
+    pub(super) fn moved(&self, step: &DVector<f64>, layout: &Layout) -> Self {
+        let (n, m) = (layout.order, layout.sensors);
+        let mut moved = self.clone();
+        moved.a += DMatrix::from_column_slice(n, n, &step.as_slice()[..n * n]);
+        moved.c += DMatrix::from_column_slice(m, n, &step.as_slice()[n * n..n * (n + m)]);
+        for record in 0..layout.records {
+            let start = layout.shared() + record * layout.per_record();
+            for i in 0..n {
+                moved.b[record][i] += step[start + i];
+            }
+            for (k, &sensor) in layout.feedthrough.iter().enumerate() {
+                moved.d[record][sensor] += step[start + n + k];
+            }
+        }
+        moved
+    }
+
+    /// The tangents of changes that leave the likelihood as it is, one a column: X A - A X, -C X, X b_j for each unit matrix X, and (b_j, d_j)
+    /// for each record.
+    pub(super) fn free_directions(&self, layout: &Layout) -> DMatrix<f64> {
+        let (n, m) = (layout.order, layout.sensors);
+        let mut tangents = DMatrix::zeros(layout.parameters(), layout.free_directions());
+        for p in 0..n {
+            for q in 0..n {
+                // X has a one in row p, column q.
+                let mut tangent = tangents.column_mut(p * n + q);
+                for l in 0..n {
+                    tangent[l * n + p] += self.a[(q, l)];
+                    tangent[q * n + l] -= self.a[(l, p)];
+                }
+                for s in 0..m {
+                    tangent[n * n + q * m + s] -= self.c[(s, p)];
+                }
+                for record in 0..layout.records {
+                    tangent[layout.shared() + record * layout.per_record() + p] = self.b[record][q];
+                }
+            }
+        }
+        for record in 0..layout.records {
+            let start = layout.shared() + record * layout.per_record();
+            let mut tangent = tangents.column_mut(n * n + record);
+            for i in 0..n {
+                tangent[start + i] = self.b[record][i];
+            }
+            for (k, &sensor) in layout.feedthrough.iter().enumerate() {
+                tangent[start + n + k] = self.d[record][sensor];
+            }
+        }
+        tangents
+    }
+
+    /// The same system with |(b_j, d_j)| = 1.
+    pub(super) fn normalised(mut self) -> Self {
+        for (b, d) in self.b.iter_mut().zip(&mut self.d) {
+            let length = b.norm().hypot(d.norm());
+            if length > 0.0 {
+                *b /= length;
+                *d /= length;
+            }
+        }
+        self
+    }
+
+    /// The same system in the basis x = T z.
+    pub(super) fn in_basis(&self, t: &DMatrix<f64>, inverse: &DMatrix<f64>) -> Self {
+        Self {
+            a: inverse * &self.a * t,
+            c: &self.c * t,
+            b: self.b.iter().map(|b| inverse * b).collect(),
+            d: self.d.clone(),
+        }
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        let vectors = self.b.iter().chain(&self.d).flat_map(|vector| vector.iter());
+        self.a.iter().chain(self.c.iter()).chain(vectors).all(|entry| entry.is_finite())
+    }
+}

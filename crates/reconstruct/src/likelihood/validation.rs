@@ -1,0 +1,193 @@
+//! What is asked of records, starts and options before anything is computed.
+
+use super::options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets};
+use super::system::Layout;
+use crate::error::check_tolerance;
+use crate::record::check_compatible;
+use crate::{ReconstructError, Record, SharedModel};
+
+/// Checks that everything fits together, and says how many unknowns there are.
+pub(super) fn check(
+    records: &[Record],
+    starts: &[SharedModel],
+    options: &LikelihoodOptions,
+) -> Result<Layout, ReconstructError> {
+    let [first, _, ..] = records else {
+        return Err(ReconstructError::TooFewRecords { found: records.len(), needed: 2 });
+    };
+    check_compatible(records)?;
+    let sensors = first.channels().len();
+    if sensors < 2 {
+        return Err(ReconstructError::TooFewSensors { found: sensors, needed: 2 });
+    }
+    crate::record::refuse_constant_channels(records)?;
+    check_options(records, sensors, options)?;
+    let Some(start) = starts.first() else {
+        return Err(option("starts", "none is given, at least one is needed".to_owned()));
+    };
+    let order = start.a.nrows();
+    for (index, start) in starts.iter().enumerate() {
+        check_start(index, start, order, records, sensors, options)?;
+    }
+    Ok(Layout {
+        order,
+        sensors,
+        records: records.len(),
+        feedthrough: options.feedthrough_sensors.clone(),
+    })
+}
+
+fn option(name: &'static str, message: String) -> ReconstructError {
+    ReconstructError::Option { name, message }
+}
+
+fn check_options(
+    records: &[Record],
+    sensors: usize,
+    options: &LikelihoodOptions,
+) -> Result<(), ReconstructError> {
+    check_tolerance("the tolerance of the last step", options.step_tolerance)?;
+    check_tolerance("the tolerance of the noise levels", options.level_tolerance)?;
+    match &options.noise {
+        LikelihoodNoise::Given(levels)
+        | LikelihoodNoise::Estimated { first_guess: Some(levels) } => {
+            check_levels("noise levels", levels, sensors)?;
+        }
+        LikelihoodNoise::Estimated { first_guess: None } => {}
+        LikelihoodNoise::Spectra(spectra) => {
+            let shapes = spectra.iter().map(|spectrum| (spectrum.samples(), spectrum.sensors()));
+            let needed = records.iter().map(|record| (record.samples(), sensors));
+            if !shapes.clone().eq(needed.clone()) {
+                return Err(ReconstructError::Noise {
+                    message: format!(
+                        "spectra for (samples, sensors) {:?}, but the records have {:?}",
+                        shapes.collect::<Vec<_>>(),
+                        needed.collect::<Vec<_>>()
+                    ),
+                });
+            }
+        }
+    }
+    if let Offsets::PriorDeviation(deviations) = &options.offsets {
+        check_levels("deviations of offsets", deviations, sensors)?;
+    }
+    if let Some(FrequencyBand { lowest_rad_s, highest_rad_s }) = options.band
+        && !(lowest_rad_s >= 0.0 && highest_rad_s > lowest_rad_s)
+    {
+        return Err(option("band", format!("from {lowest_rad_s} to {highest_rad_s} rad/s")));
+    }
+    let listed = &options.feedthrough_sensors;
+    for (place, &sensor) in listed.iter().enumerate() {
+        if sensor >= sensors || listed[..place].contains(&sensor) {
+            return Err(option(
+                "feedthrough sensors",
+                format!("sensor {sensor} is listed twice or beyond the {sensors} sensors"),
+            ));
+        }
+    }
+    check_known_inputs(records, &options.known_inputs)
+}
+
+fn check_levels(
+    name: &'static str,
+    levels: &[f64],
+    sensors: usize,
+) -> Result<(), ReconstructError> {
+    if levels.len() != sensors {
+        return Err(option(name, format!("{} values for {sensors} sensors", levels.len())));
+    }
+    levels.iter().try_for_each(|&level| check_tolerance(name, level))
+}
+
+/// Refuses inputs that do not fit the records: for each record a list of signals as long as the record, finite and not zero throughout.
+pub(crate) fn check_known_inputs(
+    records: &[Record],
+    inputs: &[Vec<Vec<f64>>],
+) -> Result<(), ReconstructError> {
+    const NAME: &str = "known inputs";
+    if !inputs.is_empty() && inputs.len() != records.len() {
+        return Err(option(
+            NAME,
+            format!("lists for {} of {} records", inputs.len(), records.len()),
+        ));
+    }
+    for (record, list) in records.iter().zip(inputs) {
+        for input in list {
+            if input.len() != record.samples() {
+                return Err(option(
+                    NAME,
+                    format!(
+                        "record {:?} has {} samples, an input of it {}",
+                        record.name(),
+                        record.samples(),
+                        input.len()
+                    ),
+                ));
+            }
+            if input.iter().any(|value| !value.is_finite())
+                || input.iter().all(|&v| v.abs() < f64::MIN_POSITIVE)
+            {
+                return Err(option(
+                    NAME,
+                    format!(
+                        "an input of record {:?} is not finite or zero throughout",
+                        record.name()
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn check_start(
+    index: usize,
+    start: &SharedModel,
+    order: usize,
+    records: &[Record],
+    sensors: usize,
+    options: &LikelihoodOptions,
+) -> Result<(), ReconstructError> {
+    let fault = |message: String| Err(ReconstructError::Start { start: index, message });
+    if order == 0 || start.a.shape() != (order, order) {
+        return fault(format!("A is {:?}, {order} x {order} is needed", start.a.shape()));
+    }
+    if start.c.shape() != (sensors, order) {
+        return fault(format!("C is {:?}, {sensors} x {order} is needed", start.c.shape()));
+    }
+    if start.b.len() != records.len() || start.b.iter().any(|b| b.len() != order) {
+        return fault(format!(
+            "b has lengths {:?}, {} vectors of length {order} are needed",
+            start.b.iter().map(|b| b.len()).collect::<Vec<_>>(),
+            records.len()
+        ));
+    }
+    if let Some(feedthrough) = &start.feedthrough
+        && (feedthrough.len() != records.len() || feedthrough.iter().any(|d| d.len() != sensors))
+    {
+        return fault(format!(
+            "the feedthrough needs {} vectors of length {sensors}",
+            records.len()
+        ));
+    }
+    let vectors = start.b.iter().chain(start.feedthrough.iter().flatten());
+    let finite = start.a.iter().chain(start.c.iter()).chain(vectors.flat_map(|v| v.iter()));
+    if !finite.into_iter().all(|entry| entry.is_finite()) {
+        return fault("an entry is not a finite number".to_owned());
+    }
+    let idle = |record: usize| {
+        let d = start.feedthrough.as_ref().map_or(0.0, |all| {
+            options.feedthrough_sensors.iter().map(|&sensor| all[record][sensor].abs()).sum()
+        });
+        start.b[record].norm() + d == 0.0
+    };
+    if options.directions == Directions::AsStarted
+        && let Some(record) = (0..records.len()).find(|&record| idle(record))
+    {
+        return fault(format!("the direction of record {record} is zero"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;
