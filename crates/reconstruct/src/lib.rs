@@ -4,6 +4,7 @@
 //!
 //! | item | what it does |
 //! |---|---|
+//! | [`reconstruct`] | records to modes with confidence and doubts: the entry point to all methods |
 //! | [`Record`] | sensor signals of one system under one unknown excitation |
 //! | [`TransmissibilityPair`], [`Theorem`], [`containment`] | Theorem 3.1, exact over integers and rationals |
 //! | [`identify`] | one rational transmissibility from one record |
@@ -12,6 +13,8 @@
 //! | [`as_printed`] | the whole method: records to eigenvalues |
 //! | [`intersect`] | eigenvalues, shapes and excitations of noisy records, by the intersection of their signal subspaces |
 //! | [`maximise`] | maximum likelihood from noisy records: the system, its modes and how certain they are |
+//! | [`bootstrap`] | deviations of the modes from repeated noise, as a cross-check |
+//! | [`fitted_transmissibilities`] | response, zeros and poles of every pair of sensors as fitted, with their uncertainty |
 //! | [`SharedModel`], [`NoiseModel`] | what records have in common, and what is known about their noise |
 //! | [`VectorAutoregression`], [`NoiseSpectrum`] | the disturbance's spectrum from a quiet record |
 //!
@@ -38,12 +41,14 @@
 mod as_printed;
 mod difference;
 mod error;
+mod fitted_transmissibility;
 mod identification;
 mod likelihood;
 mod matching;
 mod noise_model;
 mod noise_spectrum;
 mod pair;
+mod reconstruction;
 mod record;
 mod shared;
 mod shared_model;
@@ -55,15 +60,19 @@ pub use as_printed::{
 };
 pub use difference::{Zero, difference_zeros};
 pub use error::ReconstructError;
+pub use fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilities};
 pub use identification::{Identification, IdentificationOptions, identify};
-pub use noise_model::NoiseModel;
 pub use likelihood::{
-    ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate, FrequencyBand, LikelihoodFit,
-    LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, SearchReport, SearchStatus,
-    StartReport, Trend, Whiteness, maximise,
+    Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
+    FrequencyBand, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets,
+    SearchReport, SearchStatus, StartReport, Trend, Whiteness, bootstrap, maximise,
 };
+pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
+pub use reconstruction::{
+    FoundMode, Method, Options, Reconstruction, ReconstructionDoubt, reconstruct,
+};
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};
 pub use shared_model::SharedModel;

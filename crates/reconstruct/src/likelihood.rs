@@ -23,8 +23,10 @@
 //! | `levenberg_marquardt.rs` | the search |
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
 //! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
+//! | `bootstrap.rs` | deviations of modes from repeated noise |
 
 mod at_frequencies;
+mod bootstrap;
 mod climb;
 mod conclusion;
 mod direction;
@@ -49,6 +51,7 @@ mod validation;
 use nalgebra::DMatrix;
 use realfft::RealFftPlanner;
 
+pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use goodness::{ChiSquared, Whiteness};
 pub use levenberg_marquardt::SearchStatus;
 pub use options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
@@ -73,6 +76,8 @@ pub struct LikelihoodFit {
     pub covariance: DMatrix<f64>,
     /// The modes with their uncertainty, by real part of the eigenvalue, a complex pair once.
     pub modes: Vec<ModeEstimate>,
+    /// Indices of the sensors with an entry of d_j, as in the options.
+    pub feedthrough_sensors: Vec<usize>,
     /// Directions of the parameters that the records determine.
     pub determined: usize,
     /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each entry of d_j.

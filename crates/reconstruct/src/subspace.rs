@@ -21,6 +21,7 @@ pub use evidence::{Intersection, NoiseEvidence, NoiseOrigin, RecordEvidence, Sub
 pub use excitation::ExcitationRank;
 pub use options::{Centring, DirectPath, OrderChoice, SubspaceOptions};
 pub use order::OrderEvidence;
+pub(crate) use order::{WEAK_GAP, best};
 
 use crate::{NoiseModel, ReconstructError, Record, SharedModel};
 use dense::Eigen;
@@ -29,7 +30,7 @@ use direction::direction;
 use excitation::{excitation_rank, noise_edge};
 use levels::Window;
 use limits::Setting;
-use order::{Spaces, best};
+use order::Spaces;
 use realisation::realise;
 use sources::{Sources, quiet_whitening};
 use whitening::Whitening;

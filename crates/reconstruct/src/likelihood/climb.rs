@@ -148,7 +148,7 @@ fn rounds(
 }
 
 /// The start in scaled sensors.
-fn scaled(start: &SharedModel, units: &[f64], layout: &Layout) -> System {
+pub(super) fn scaled(start: &SharedModel, units: &[f64], layout: &Layout) -> System {
     let unit = DVector::from_column_slice(units);
     let mut c = start.c.clone();
     for (mut row, unit) in c.row_iter_mut().zip(units) {
@@ -167,7 +167,7 @@ fn scaled(start: &SharedModel, units: &[f64], layout: &Layout) -> System {
 }
 
 /// Evaluates twice: the coefficients of known signals first, then everything around them.
-fn settled(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
+pub(super) fn settled(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
     let first = problem.evaluate(system, problem.no_coefficients(), variances);
     settled_again(problem, first, variances)
 }

@@ -85,6 +85,7 @@ pub(super) fn conclude(
         covariance: in_sensor_units(&parameters.matrix, units, layout),
         model: model(&evaluation.system, units, layout, period),
         modes,
+        feedthrough_sensors: layout.feedthrough.clone(),
         determined: parameters.determined,
         identifiable: layout.identifiable(),
         noise_levels,

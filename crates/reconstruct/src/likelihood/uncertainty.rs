@@ -158,7 +158,8 @@ impl ComplexEstimate {
         }
     }
 
-    fn from_slopes(
+    /// To first order, from the derivatives by all parameters.
+    pub(crate) fn from_slopes(
         value: Complex<f64>,
         slopes: &DVector<Complex<f64>>,
         covariance: &DMatrix<f64>,

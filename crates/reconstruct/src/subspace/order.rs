@@ -32,7 +32,7 @@ pub struct OrderEvidence {
 
 /// A gap below this is no evidence. The gaps of orders that are too high are mostly below 4; now and then one reaches the root of the gap at the
 /// true order.
-pub(super) const WEAK_GAP: f64 = 6.0;
+pub(crate) const WEAK_GAP: f64 = 6.0;
 
 /// A gap counts beside the largest one if it reaches this power of it. Slow modes leave a smaller gap at the true order than there is before
 /// them.
@@ -134,7 +134,7 @@ impl Spaces {
 }
 
 /// The largest order whose gap competes with the largest gap.
-pub(super) fn best(gaps: &[(usize, f64)]) -> usize {
+pub(crate) fn best(gaps: &[(usize, f64)]) -> usize {
     let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(*gap));
     let enough = largest.powf(COMPETING).max(WEAK_GAP).min(largest);
     gaps.iter().rev().find(|(_, gap)| *gap >= enough).map_or(1, |(order, _)| *order)

@@ -1,0 +1,228 @@
+//! Why a reconstruction should not be trusted: what the stages doubt themselves, and what shows only when their answers are compared.
+
+use super::Options;
+use crate::{Doubt, Intersection, LikelihoodFit, NoiseOrigin, Record, SearchStatus, SubspaceDoubt};
+
+/// A reason to doubt a [`Reconstruction`](crate::Reconstruction). Each can be printed.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ReconstructionDoubt {
+    /// A doubt of the printed method.
+    Printed(Doubt),
+    /// A doubt of the intersection of signal subspaces.
+    Subspace(SubspaceDoubt),
+    /// The search for the largest likelihood did not arrive.
+    OptimumNotReached {
+        /// How it ended.
+        status: SearchStatus,
+        /// The length of the step that was left, in standard deviations of the estimate.
+        remaining_step: f64,
+    },
+    /// The noise levels of the likelihood did not settle.
+    LevelsNotSettled {
+        /// The updates made.
+        updates: usize,
+    },
+    /// With the noise that was given, the residuals are larger or smaller than chance makes them.
+    PoorFit {
+        /// Chi-squared per degree of freedom; 1 is expected.
+        per_degree_of_freedom: f64,
+        /// The probability of a value as far from 1 on this side.
+        probability: f64,
+    },
+    /// A record fits worse than the others, by more than chance.
+    UnequalFit {
+        /// The record.
+        record: String,
+        /// Its chi-squared per degree of freedom; 1 is expected.
+        per_degree_of_freedom: f64,
+        /// The distance from 1 in standard deviations.
+        deviations: f64,
+    },
+    /// The residuals of a record are not white.
+    ResidualsNotWhite {
+        /// The record.
+        record: String,
+        /// The probability of autocorrelations as large, if they were white.
+        p_value: f64,
+    },
+    /// The likelihood needs far more noise of a sensor than the signal subspaces show.
+    LevelsDisagree {
+        /// The sensor.
+        sensor: String,
+        /// Its noise level from the signal subspaces, in its unit.
+        subspace: f64,
+        /// Its noise level from the likelihood.
+        likelihood: f64,
+    },
+    /// Records so short that deviations and intervals, which hold to first order, mean little.
+    TooShort {
+        /// Residuals less parameters.
+        degrees_of_freedom: f64,
+        /// Parameters of the system.
+        parameters: usize,
+    },
+    /// The records do not determine all parameters that can be identified.
+    Undetermined {
+        /// Directions that they determine.
+        determined: usize,
+        /// Directions that can be identified where the records excite everything.
+        identifiable: usize,
+    },
+}
+
+impl std::fmt::Display for ReconstructionDoubt {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Printed(doubt) => doubt.fmt(f),
+            Self::Subspace(doubt) => doubt.fmt(f),
+            Self::OptimumNotReached { status, remaining_step } => write!(
+                f,
+                "the search for the largest likelihood ended early ({status:?}), {remaining_step:.1e} standard deviations from where it was going"
+            ),
+            Self::LevelsNotSettled { updates } => {
+                write!(f, "the noise levels did not settle in {updates} updates")
+            }
+            Self::PoorFit { per_degree_of_freedom, probability } => write!(
+                f,
+                "chi-squared per degree of freedom is {per_degree_of_freedom:.3} instead of 1, which has probability {probability:.0e}: the noise is not \
+                 what was given, or a record holds more than one excitation"
+            ),
+            Self::UnequalFit { record, per_degree_of_freedom, deviations } => write!(
+                f,
+                "record {record}: chi-squared per degree of freedom is {per_degree_of_freedom:.3}, {deviations:.0} standard deviations more than in \
+                 the others: more than one excitation, or more noise"
+            ),
+            Self::ResidualsNotWhite { record, p_value } => write!(
+                f,
+                "record {record}: the residuals are not white (probability {p_value:.0e}): more than one excitation, disturbances, or too low an order"
+            ),
+            Self::LevelsDisagree { sensor, subspace, likelihood } => write!(
+                f,
+                "sensor {sensor}: one excitation for each record leaves noise of {likelihood:.2e}, the signal subspaces show {subspace:.2e}: \
+                 more than one excitation in a record, or too low an order"
+            ),
+            Self::TooShort { degrees_of_freedom, parameters } => write!(
+                f,
+                "the records are short: {degrees_of_freedom:.0} degrees of freedom for {parameters} parameters, so that intervals mean little"
+            ),
+            Self::Undetermined { determined, identifiable } => write!(
+                f,
+                "the records determine {determined} of {identifiable} parameters: a mode is not excited, or two excitations are alike"
+            ),
+        }
+    }
+}
+
+/// What happens to one record in ten thousand by chance is not doubted.
+const IMPROBABLE: f64 = 1e-4;
+
+/// A record whose residuals are so many standard deviations too large is doubted: levels that are common to all make the fits of the records
+/// compete, and the residuals are only nearly chi-squared.
+const FAR_FROM_ONE: f64 = 6.0;
+
+/// Levels of both stages differ by less: the first stage's come out up to 20 % low in short records.
+const LEVEL_RATIO: f64 = 1.5;
+
+/// Residuals wanted for each parameter.
+const RESIDUALS_PER_PARAMETER: f64 = 10.0;
+
+/// What both stages and their comparison give reason to doubt.
+pub(super) fn doubts(
+    records: &[Record],
+    options: &Options,
+    first: &Intersection,
+    mut doubts: Vec<ReconstructionDoubt>,
+    fit: &LikelihoodFit,
+) -> Vec<ReconstructionDoubt> {
+    let explained = |name: &str| {
+        let index = records.iter().position(|record| record.name() == name);
+        let inputs = index.and_then(|index| options.known_inputs.get(index));
+        inputs.is_some_and(|inputs| !inputs.is_empty())
+    };
+    doubts.retain(|doubt| {
+        let ReconstructionDoubt::Subspace(doubt) = doubt else { return true };
+        match doubt {
+            // The second stage has levels and directions of its own.
+            SubspaceDoubt::NoiseNotConverged { .. } | SubspaceDoubt::UncertainDirection { .. } => {
+                false
+            }
+            // A known input is an excitation that the first stage does not know.
+            SubspaceDoubt::SeveralExcitations { record, .. }
+            | SubspaceDoubt::NoiseNotWhite { record, .. } => !explained(record),
+            SubspaceDoubt::SameExcitation { first, second, .. } => {
+                !explained(first) && !explained(second)
+            }
+            _ => true,
+        }
+    });
+    doubts.extend(of_search(fit));
+    if first.noise.origin == NoiseOrigin::Rounding {
+        // The level was chosen, and what is left are rounding errors.
+        return doubts;
+    }
+    doubts.extend(of_size(records, fit));
+    for whiteness in fit.whiteness.iter().filter(|whiteness| whiteness.p_value < IMPROBABLE) {
+        let (record, p_value) = (whiteness.record.clone(), whiteness.p_value);
+        doubts.push(ReconstructionDoubt::ResidualsNotWhite { record, p_value });
+    }
+    if let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels) {
+        let channels = records[0].channels().iter();
+        for ((channel, &subspace), level) in channels.zip(&first.noise.deviations).zip(levels) {
+            if level.value - 3.0 * level.deviation > LEVEL_RATIO * subspace {
+                let (sensor, likelihood) = (channel.name.clone(), level.value);
+                doubts.push(ReconstructionDoubt::LevelsDisagree { sensor, subspace, likelihood });
+            }
+        }
+    }
+    doubts
+}
+
+fn of_search(fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {
+    let mut doubts = Vec::new();
+    let search = &fit.search;
+    // What is left to gain at rounding level is rounding errors.
+    if !matches!(search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel) {
+        let (status, remaining_step) = (search.status, search.remaining_step);
+        doubts.push(ReconstructionDoubt::OptimumNotReached { status, remaining_step });
+    }
+    if !search.levels_settled {
+        doubts.push(ReconstructionDoubt::LevelsNotSettled { updates: search.level_updates });
+    }
+    if fit.determined < fit.identifiable {
+        let (determined, identifiable) = (fit.determined, fit.identifiable);
+        doubts.push(ReconstructionDoubt::Undetermined { determined, identifiable });
+    }
+    doubts
+}
+
+fn of_size(records: &[Record], fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {
+    let mut doubts = Vec::new();
+    let chi_squared = fit.chi_squared;
+    let degrees_of_freedom = chi_squared.degrees_of_freedom;
+    let parameters = fit.identifiable;
+    #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    let needed = RESIDUALS_PER_PARAMETER * parameters as f64;
+    if degrees_of_freedom < needed {
+        doubts.push(ReconstructionDoubt::TooShort { degrees_of_freedom, parameters });
+    }
+    let per_degree_of_freedom = chi_squared.per_degree_of_freedom();
+    let probability = chi_squared.p_value.map_or(1.0, |p| p.min(1.0 - p));
+    if probability < IMPROBABLE {
+        doubts.push(ReconstructionDoubt::PoorFit { per_degree_of_freedom, probability });
+    }
+    let total: usize = records.iter().map(Record::samples).sum();
+    for (record, &value) in records.iter().zip(&fit.record_chi_squared) {
+        #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
+        let share = degrees_of_freedom * record.samples() as f64 / total as f64;
+        let deviations = (value - per_degree_of_freedom) / (2.0 / share).sqrt();
+        if deviations > FAR_FROM_ONE {
+            doubts.push(ReconstructionDoubt::UnequalFit {
+                record: record.name().to_owned(),
+                per_degree_of_freedom: value,
+                deviations,
+            });
+        }
+    }
+    doubts
+}

@@ -1,0 +1,111 @@
+//! The first stage with several numbers of block rows: the order that they agree on, and where the likelihood starts.
+
+use super::Options;
+use crate::subspace::{WEAK_GAP, best};
+use crate::{
+    Intersection, NoiseModel, NoiseOrigin, OrderChoice, OrderEvidence, ReconstructError,
+    ReconstructionDoubt, Record, SharedModel, SubspaceDoubt, intersect,
+};
+
+/// What the first stage says.
+pub(super) struct FirstStage {
+    /// The intersection with the block rows of its rule.
+    pub(super) intersection: Intersection,
+    /// The evidence for the order, over all numbers of block rows.
+    pub(super) order: OrderEvidence,
+    /// Its doubts, those about the order from that evidence.
+    pub(super) doubts: Vec<ReconstructionDoubt>,
+    /// The models found, that of the rule first.
+    pub(super) starts: Vec<SharedModel>,
+}
+
+/// Intersections with the block rows of the rule, half and one and a half times as many, where the records allow them.
+///
+/// A gap that noise makes appears with one number of block rows, the one at the true order with all of them: the geometric mean of an order's
+/// gaps decides. Which number comes closest to the system differs from record to record, too; the likelihood sorts that out. Records without noise, and
+/// a number that was asked for, need no other.
+pub(super) fn first_stage(
+    records: &[Record],
+    options: &Options,
+) -> Result<FirstStage, ReconstructError> {
+    let own = options.subspace()?;
+    let mut first = intersect(records, &own)?;
+    let (mut order, mut starts) = (first.order.clone(), Vec::new());
+    if options.block_rows.is_none() && first.noise.origin != NoiseOrigin::Rounding {
+        let mut other = own.clone();
+        if options.noise == NoiseModel::Estimated {
+            other.noise = NoiseModel::Levels(first.noise.deviations.clone());
+        }
+        let found = |other: &crate::SubspaceOptions, block_rows: usize| {
+            let other = crate::SubspaceOptions { block_rows: Some(block_rows), ..other.clone() };
+            // An error says that the records are too short for so many, or that so few cannot tell the order.
+            intersect(records, &other).ok()
+        };
+        let numbers = [first.block_rows / 2, first.block_rows * 3 / 2];
+        let mut others: Vec<_> = numbers.iter().filter_map(|&rows| found(&other, rows)).collect();
+        if !order.asked {
+            order.gaps = means(&first, &others);
+            order.order = best(&order.gaps);
+            order.gap = gap_of(&order.gaps, order.order);
+        }
+        let fixed = OrderChoice::Fixed(order.order);
+        if first.order.order != order.order {
+            first = intersect(records, &crate::SubspaceOptions { order: fixed, ..own })?;
+            order.eigenvalues.clone_from(&first.order.eigenvalues);
+        }
+        other.order = fixed;
+        others.retain_mut(|intersection| {
+            let agrees = intersection.order.order == order.order;
+            let again = if agrees { None } else { found(&other, intersection.block_rows) };
+            let usable = agrees || again.is_some();
+            if let Some(again) = again {
+                *intersection = again;
+            }
+            usable
+        });
+        starts.extend(others.into_iter().map(|intersection| intersection.model));
+    }
+    starts.insert(0, first.model.clone());
+    let doubts = doubts(&first, &order);
+    Ok(FirstStage { intersection: first, order, doubts, starts })
+}
+
+/// The geometric mean of each order's gaps, for the orders that all numbers of block rows can tell.
+fn means(first: &Intersection, others: &[Intersection]) -> Vec<(usize, f64)> {
+    let all: Vec<_> = std::iter::once(first).chain(others).map(|found| &found.order.gaps).collect();
+    let known = |order: &usize| all.iter().all(|gaps| gaps.iter().any(|(other, _)| other == order));
+    let mean = |order: usize| {
+        #[expect(clippy::cast_precision_loss, reason = "three at most")]
+        let number = all.len() as f64;
+        let sum: f64 = all.iter().map(|gaps| gap_of(gaps, order).ln()).sum();
+        (order, (sum / number).exp())
+    };
+    first.order.gaps.iter().map(|(order, _)| *order).filter(known).map(mean).collect()
+}
+
+fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
+    gaps.iter().find(|(other, _)| *other == order).map_or(1.0, |(_, gap)| *gap)
+}
+
+/// The intersection's own doubts, but for those about the order.
+fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<ReconstructionDoubt> {
+    let combined = !order.asked;
+    let about_order = |doubt: &SubspaceDoubt| {
+        matches!(doubt, SubspaceDoubt::WeakOrder { .. } | SubspaceDoubt::ContestedOrder { .. })
+    };
+    let mut doubts: Vec<SubspaceDoubt> = Vec::new();
+    if combined {
+        let (gap, order_used) = (order.gap, order.order);
+        if gap < WEAK_GAP {
+            doubts.push(SubspaceDoubt::WeakOrder { order: order_used, gap });
+        }
+        let largest = order.gaps.iter().max_by(|x, y| x.1.total_cmp(&y.1));
+        if let Some(&(other, other_gap)) = largest
+            && other != order_used
+        {
+            doubts.push(SubspaceDoubt::ContestedOrder { order: order_used, gap, other, other_gap });
+        }
+    }
+    doubts.extend(first.doubts.iter().filter(|doubt| !combined || !about_order(doubt)).cloned());
+    doubts.into_iter().map(ReconstructionDoubt::Subspace).collect()
+}

@@ -1,0 +1,148 @@
+//! What can be wrong with records shows as a doubt, and good records raise none.
+
+use super::flights::{AILERON, BOTH, RUDDER, two};
+use super::*;
+use crate::SubspaceDoubt;
+
+fn says(found: &Reconstruction, doubt: impl Fn(&ReconstructionDoubt) -> bool) -> bool {
+    found.doubts.iter().any(doubt)
+}
+
+#[test]
+fn good_records_are_not_doubted() {
+    for (pole, ratio) in
+        [(0.0, 1000.0), (0.0, 100.0), (0.0, 30.0), (0.0, 10.0), (0.9, 1000.0), (0.9, 100.0)]
+    {
+        for seed in 0..3 {
+            let records = two([AILERON, RUDDER], 2000, pole, ratio, seed);
+            let found = reconstruct(&records, &Options::default()).unwrap();
+            assert!(found.doubts.is_empty(), "{pole} {ratio} {seed}: {:?}", found.doubts);
+        }
+    }
+}
+
+#[test]
+fn a_second_excitation_in_a_record_is_doubted() {
+    for (pole, ratio) in [
+        (0.0, 1000.0),
+        (0.0, 100.0),
+        (0.0, 30.0),
+        (0.0, 10.0),
+        (0.9, 1000.0),
+        (0.9, 100.0),
+        (0.9, 30.0),
+    ] {
+        for moves in [[AILERON, BOTH], [BOTH, RUDDER]] {
+            let records = two(moves, 2000, pole, ratio, 7);
+            let options = Options { order: OrderChoice::Fixed(4), ..Options::default() };
+            let found = reconstruct(&records, &options).unwrap();
+            let name = if moves[0] == BOTH { "first" } else { "second" };
+            // The record with more than its share of the residuals is the one, and its residuals are not white.
+            assert!(
+                says(
+                    &found,
+                    |doubt| matches!(doubt, ReconstructionDoubt::UnequalFit { record, .. } if record == name)
+                ),
+                "{pole} {ratio}: {:?}",
+                found.doubts
+            );
+            assert!(
+                says(
+                    &found,
+                    |doubt| matches!(doubt, ReconstructionDoubt::ResidualsNotWhite { record, .. } if record == name)
+                ),
+                "{pole} {ratio}: {:?}",
+                found.doubts
+            );
+        }
+    }
+}
+
+#[test]
+fn the_same_excitation_twice_is_doubted() {
+    let found =
+        reconstruct(&two([RUDDER, RUDDER], 1000, 0.0, 100.0, 3), &Options::default()).unwrap();
+    assert!(
+        says(&found, |doubt| matches!(
+            doubt,
+            ReconstructionDoubt::Subspace(SubspaceDoubt::SameExcitation { .. })
+        )),
+        "{:?}",
+        found.doubts
+    );
+}
+
+#[test]
+fn short_records_are_doubted() {
+    let short = |samples| {
+        let records = two([AILERON, RUDDER], samples, 0.0, 1000.0, 4);
+        let options = Options { order: OrderChoice::Fixed(4), ..Options::default() };
+        let found = reconstruct(&records, &options).unwrap();
+        says(&found, |doubt| matches!(doubt, ReconstructionDoubt::TooShort { .. }))
+    };
+    assert!(short(40));
+    assert!(!short(120));
+}
+
+#[test]
+fn orders_that_do_not_fit_are_doubted() {
+    let records = two([AILERON, RUDDER], 1000, 0.0, 100.0, 5);
+    let doubted = |order| {
+        let options = Options { order: OrderChoice::Fixed(order), ..Options::default() };
+        reconstruct(&records, &options).unwrap()
+    };
+    // Too low an order leaves residuals that are not white, too high a one has no gap behind it.
+    let low = doubted(3);
+    assert!(
+        says(&low, |doubt| matches!(doubt, ReconstructionDoubt::ResidualsNotWhite { .. })),
+        "{:?}",
+        low.doubts
+    );
+    let high = doubted(6);
+    assert!(
+        says(&high, |doubt| matches!(
+            doubt,
+            ReconstructionDoubt::Subspace(SubspaceDoubt::WeakOrder { .. })
+        )),
+        "{:?}",
+        high.doubts
+    );
+}
+
+#[test]
+fn a_search_that_was_stopped_is_doubted() {
+    let records = two([AILERON, RUDDER], 1000, 0.0, 10.0, 6);
+    let stopped = Options { largest_steps: 1, ..Options::default() };
+    let found = reconstruct(&records, &stopped).unwrap();
+    assert!(
+        says(&found, |doubt| matches!(doubt, ReconstructionDoubt::OptimumNotReached { .. })),
+        "{:?}",
+        found.doubts
+    );
+}
+
+#[test]
+fn wrong_noise_levels_are_doubted() {
+    let records = two([AILERON, RUDDER], 1000, 0.0, 100.0, 8);
+    let found = reconstruct(&records, &Options::default()).unwrap();
+    let levels: Vec<f64> = found.noise_levels.unwrap().iter().map(|level| level.value).collect();
+    for (factor, doubted) in [(0.8, true), (1.0, false), (1.25, true)] {
+        let noise = NoiseModel::Levels(levels.iter().map(|level| level * factor).collect());
+        let found = reconstruct(&records, &Options { noise, ..Options::default() }).unwrap();
+        let poor = says(&found, |doubt| matches!(doubt, ReconstructionDoubt::PoorFit { .. }));
+        assert_eq!(poor, doubted, "{factor}: {:?}", found.doubts);
+    }
+}
+
+#[test]
+fn doubts_read_as_sentences() {
+    let records = two([AILERON, BOTH], 1000, 0.0, 100.0, 9);
+    let found =
+        reconstruct(&records, &Options { order: OrderChoice::Fixed(4), ..Options::default() })
+            .unwrap();
+    let said: Vec<String> = found.doubts.iter().map(ToString::to_string).collect();
+    assert!(
+        said.iter().any(|text| text.contains("second") && text.contains("excitation")),
+        "{said:?}"
+    );
+}
