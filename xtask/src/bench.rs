@@ -113,11 +113,8 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
     }
     bench.bar.finish_and_clear();
     let folder = args.out.clone().unwrap_or_else(|| target.join("bench"));
-    let page = Page {
-        file: "benchmarks.md",
-        command: "cargo xtask bench --update",
-        document: &document,
-    };
+    let page =
+        Page { file: "benchmarks.md", command: "cargo xtask bench --update", document: &document };
     page.write(&folder, "", Pictures::Both)?;
     if args.update {
         page.write(&root.join("docs"), "figures", Pictures::Vector)?;

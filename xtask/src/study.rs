@@ -77,7 +77,8 @@ impl NoiseArgs {
 
     /// The command that makes the same document.
     fn command(&self) -> String {
-        let seeds = if self.quick { " --quick".to_owned() } else { format!(" --seeds {}", self.seeds) };
+        let seeds =
+            if self.quick { " --quick".to_owned() } else { format!(" --seeds {}", self.seeds) };
         let update = if self.update { " --update" } else { "" };
         format!("cargo xtask study noise{seeds}{update}")
     }

@@ -91,11 +91,8 @@ mod tests {
         all.sort();
         all.dedup();
         assert_eq!(all.len(), 48);
-        let case = |signal_to_noise, seed| Case {
-            excitation: Excitation::White,
-            signal_to_noise,
-            seed,
-        };
+        let case =
+            |signal_to_noise, seed| Case { excitation: Excitation::White, signal_to_noise, seed };
         assert_eq!(all[..4], [case(1000, 1), case(1000, 2), case(1000, 3), case(100, 1)]);
     }
 }

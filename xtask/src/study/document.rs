@@ -82,8 +82,9 @@ fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
                 two,
             ));
         }
-        let pooled: Vec<f64> =
-            at(u32::MAX, lowest).flat_map(|summary| summary.scores.iter().flatten().copied()).collect();
+        let pooled: Vec<f64> = at(u32::MAX, lowest)
+            .flat_map(|summary| summary.scores.iter().flatten().copied())
+            .collect();
         rows.push(Row::new(
             format!("{title}: deviation of the scores, ratio {lowest} and more"),
             Asked::Within(0.9, 1.1),
@@ -104,7 +105,9 @@ fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
         let (bad, runs) = at(u32::MAX, 0)
             .fold((0, 0), |(bad, runs), summary| (bad + summary.bad_fits, runs + summary.runs));
         rows.push(Row::new(
-            format!("{title}: runs with chi-squared per degree of freedom above {BAD_FIT}, all ratios"),
+            format!(
+                "{title}: runs with chi-squared per degree of freedom above {BAD_FIT}, all ratios"
+            ),
             Asked::AtMost(0.01),
             bad as f64 / runs as f64,
             |part| format!("{:.1} %", 100.0 * part),
@@ -123,11 +126,11 @@ fn error_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
     for summary in summaries {
         for (mode, name) in MODES.iter().enumerate() {
             let mut cells = vec![summary.kind.1.to_string(), (*name).to_owned()];
-            cells.extend(summary.methods.iter().map(|method| number(method.rms.map(|rms| rms[mode]))));
-            cells.push(number(Some(summary.bound[mode])));
-            cells.push(
-                summary.ratio().map_or_else(dash, |ratio| format!("{:.2}", ratio[mode])),
+            cells.extend(
+                summary.methods.iter().map(|method| number(method.rms.map(|rms| rms[mode]))),
             );
+            cells.push(number(Some(summary.bound[mode])));
+            cells.push(summary.ratio().map_or_else(dash, |ratio| format!("{:.2}", ratio[mode])));
             table.push(cells).map_err(TaskError::computation("report"))?;
         }
     }

@@ -20,21 +20,19 @@ pub(crate) const RATIO_AXIS: &str = "signal to noise ratio";
 /// Errors against the signal to noise ratio: a row for each excitation, a column for each mode.
 pub(crate) fn errors(summaries: &[Summary]) -> Figure {
     let caption = "Root mean square error of each method, and the information bound for unknown inputs. For the printed method it is the \
-                   closest of all zeros of its differences.";
+                   closest of all zeros of its differences (more than fifty for each sensor), which nobody could pick without knowing the answer.";
     let mut figure =
         Figure::new("study-errors", "Error against the signal to noise ratio", caption).columns(3);
     for excitation in present(summaries) {
         for (mode, name) in MODES.iter().enumerate() {
             let title = format!("{}, {name}", excitation.title());
-            let mut panel =
-                Panel::new(title, Axis::log(RATIO_AXIS), Axis::log("rms error (1/s)"));
+            let mut panel = Panel::new(title, Axis::log(RATIO_AXIS), Axis::log("rms error (1/s)"));
             for (method, (label, ink, dash, marker)) in METHODS.iter().enumerate() {
                 let points = of(summaries, excitation, |summary| {
                     summary.methods[method].rms.map(|rms| rms[mode])
                 });
                 if !points.is_empty() {
-                    panel =
-                        panel.with(Line::new(*label, *dash, points).ink(*ink).marker(*marker));
+                    panel = panel.with(Line::new(*label, *dash, points).ink(*ink).marker(*marker));
                 }
             }
             let bound = of(summaries, excitation, |summary| Some(summary.bound[mode]));
@@ -52,8 +50,8 @@ pub(crate) fn scores(summaries: &[Summary]) -> Figure {
     const BINS: u32 = 40;
     let caption = "Errors of maximum likelihood over the deviations that it states, all modes and noise levels, and the normal distribution. \
                    What lies beyond five deviations counts in the outermost bins.";
-    let mut figure = Figure::new("study-scores", "Are the stated deviations honest?", caption)
-        .columns(2);
+    let mut figure =
+        Figure::new("study-scores", "Are the stated deviations honest?", caption).columns(2);
     for excitation in present(summaries) {
         let all: Vec<f64> = summaries
             .iter()
@@ -61,8 +59,7 @@ pub(crate) fn scores(summaries: &[Summary]) -> Figure {
             .flat_map(|summary| summary.scores.iter().flatten().copied())
             .collect();
         let steps = histogram(&all, (-REACH, REACH), BINS);
-        let bars =
-            steps.iter().flat_map(|(left, right, y)| [(*left, 0.0, *y), (*right, 0.0, *y)]);
+        let bars = steps.iter().flat_map(|(left, right, y)| [(*left, 0.0, *y), (*right, 0.0, *y)]);
         let normal = (0..=100).map(|k| {
             let z = REACH * (f64::from(k) / 50.0 - 1.0);
             (z, (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt())
@@ -89,10 +86,7 @@ pub(crate) fn coverage(summaries: &[Summary]) -> Figure {
     ];
     let caption = "Part of the runs in which the 95 % interval (of the Dutch roll: ellipse) of maximum likelihood holds the truth. \
                    The line is at 95 %, the area from 92 to 98 %.";
-    let lowest = summaries
-        .iter()
-        .flat_map(|summary| summary.coverage)
-        .fold(0.85, f64::min);
+    let lowest = summaries.iter().flat_map(|summary| summary.coverage).fold(0.85, f64::min);
     let mut figure =
         Figure::new("study-coverage", "Coverage of the 95 % regions", caption).columns(2);
     for excitation in present(summaries) {
@@ -107,8 +101,7 @@ pub(crate) fn coverage(summaries: &[Summary]) -> Figure {
             Band::new("92 to 98 %", ends.iter().map(|(x, _)| (*x, 92.0, 98.0))).ink(Ink::Grey),
         );
         for (mode, (ink, dash, marker)) in LOOK.into_iter().enumerate() {
-            let points =
-                of(summaries, excitation, |summary| Some(100.0 * summary.coverage[mode]));
+            let points = of(summaries, excitation, |summary| Some(100.0 * summary.coverage[mode]));
             panel = panel.with(Line::new(MODES[mode], dash, points).ink(ink).marker(marker));
         }
         figure = figure.with(panel);

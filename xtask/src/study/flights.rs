@@ -196,7 +196,9 @@ fn behind_filter(
     // The second section's output moves the surface.
     a.view_mut((0, n + 2), (n, 1)).copy_from(&aircraft.b().column(surface));
     let square = CORNER_RAD_S * CORNER_RAD_S;
-    for (section, angle) in [(n, std::f64::consts::FRAC_PI_8), (n + 2, 3.0 * std::f64::consts::FRAC_PI_8)] {
+    for (section, angle) in
+        [(n, std::f64::consts::FRAC_PI_8), (n + 2, 3.0 * std::f64::consts::FRAC_PI_8)]
+    {
         a[(section, section + 1)] = 1.0;
         a[(section + 1, section)] = -square;
         a[(section + 1, section + 1)] = -2.0 * angle.cos() * CORNER_RAD_S;

@@ -13,8 +13,7 @@ pub(crate) fn assigned(found: &[Complex<f64>], truth: &TrueModes) -> Option<[usi
     for spiral in 0..found.len() {
         for roll in (0..found.len()).filter(|roll| *roll != spiral) {
             for dutch_roll in (0..found.len()).filter(|other| ![spiral, roll].contains(other)) {
-                let sum =
-                    distance[spiral][0] + distance[roll][1] + distance[dutch_roll][2];
+                let sum = distance[spiral][0] + distance[roll][1] + distance[dutch_roll][2];
                 if best.is_none_or(|(least, _)| sum < least) {
                     best = Some((sum, [spiral, roll, dutch_roll]));
                 }

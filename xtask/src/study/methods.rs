@@ -1,12 +1,13 @@
 //! One run: the methods on one pair of records, and what the records allow at best.
 
-use lti::z_to_s;
+use lti::{Transmissibility, z_to_s};
 use nalgebra::Vector2;
 use num_complex::Complex;
+use poly::Poly;
 use reconstruct::{
-    ComplexEstimate, Directions, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method,
-    ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel, maximise,
-    reconstruct,
+    ComplexEstimate, Directions, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions,
+    Method, ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel,
+    difference_zeros, maximise, reconstruct,
 };
 
 use super::case::Case;
@@ -27,18 +28,39 @@ pub(crate) fn apply(pair: &Pair, method: Method, order: OrderChoice) -> Option<R
     reconstruct(&pair.records, &options).ok()
 }
 
-/// Errors of the printed method: for each mode the closest of all zeros of all differences. With noise the differences share no zero; this gives
-/// the method what it cannot know, which of the zeros is the right one.
+/// Errors of the printed method: for each mode the closest of all zeros of all differences, of the composite models as they are fitted and of what
+/// their realization keeps above the noise of the fit. With noise the differences share no zero; this gives the method what it cannot know,
+/// which of the zeros is the right one.
 pub(crate) fn printed_errors(pair: &Pair, truth: &TrueModes) -> Option<PerMode> {
     let printed = apply(pair, Method::AsPrinted, ORDER)?.printed?;
-    let zeros = printed.differences.iter().flat_map(|difference| &difference.zeros);
-    let found: Vec<_> =
-        zeros.filter_map(|zero| z_to_s(zero.value, printed.period).ok()).collect();
+    let realised = printed.differences.iter().flat_map(|difference| difference.zeros.clone());
+    let (first, second) = printed.identifications.split_at(printed.identifications.len() / 2);
+    let fitted = first.iter().zip(second).filter_map(|(first, second)| {
+        difference_zeros(&unrealised(first)?, &unrealised(second)?).ok()
+    });
+    let found: Vec<_> = realised
+        .chain(fitted.flatten())
+        .filter_map(|zero| z_to_s(zero.value, printed.period).ok())
+        .collect();
     nearest(&found, truth)
 }
 
+/// The transmissibility as the composite model has it, without a realization of its FIR factor: sum of H_i z^(d + r - i) over D, where the
+/// power of z that all records share is left out.
+fn unrealised(found: &Identification) -> Option<Identification> {
+    let numerator = Poly::from_descending(&found.fit.model.markov_parameters());
+    let denominator = Poly::new(found.fit.model.denominator());
+    let mut unrealised = found.clone();
+    unrealised.transmissibility =
+        Transmissibility::from_polynomials(numerator, denominator).ok()?;
+    Some(unrealised)
+}
+
 /// The modes of maximum likelihood with four states: spiral, roll, Dutch roll.
-pub(crate) fn most_likely(pair: &Pair, truth: &TrueModes) -> Option<(LikelihoodFit, [ModeEstimate; 3])> {
+pub(crate) fn most_likely(
+    pair: &Pair,
+    truth: &TrueModes,
+) -> Option<(LikelihoodFit, [ModeEstimate; 3])> {
     let fit = apply(pair, Method::MaximumLikelihood, ORDER)?.likelihood?;
     let modes = named(&fit, truth)?;
     Some((fit, modes))
@@ -124,10 +146,7 @@ fn judged(
         ],
         chi_squared: checked.chi_squared.per_degree_of_freedom(),
         converged: fit.search.levels_settled
-            && matches!(
-                fit.search.status,
-                SearchStatus::Converged | SearchStatus::AtRoundingLevel
-            ),
+            && matches!(fit.search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel),
     })
 }
 

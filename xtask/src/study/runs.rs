@@ -36,8 +36,8 @@ pub(crate) fn collect(
             let mut sink = sink.lock().unwrap_or_else(PoisonError::into_inner);
             let (file, outcomes, error) = &mut *sink;
             let kept = result.and_then(|outcome| {
-                let line = serde_json::to_string(&outcome)
-                    .map_err(TaskError::computation("study"))?;
+                let line =
+                    serde_json::to_string(&outcome).map_err(TaskError::computation("study"))?;
                 file.write_all(format!("{line}\n").as_bytes()).map_err(fault)?;
                 Ok(outcome)
             });

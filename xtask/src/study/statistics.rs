@@ -81,9 +81,8 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
             (sum / count(outcomes.len())).sqrt()
         }),
         scores: [scores(&[0]), scores(&[1]), scores(&[2, 3])],
-        coverage: [0, 1, 2].map(|mode| {
-            part_of(fits.iter().filter(|fit| fit.covered[mode]).count(), fits.len())
-        }),
+        coverage: [0, 1, 2]
+            .map(|mode| part_of(fits.iter().filter(|fit| fit.covered[mode]).count(), fits.len())),
         bad_fits: fits.iter().filter(|fit| !(fit.chi_squared <= BAD_FIT)).count(),
         unconverged: fits.iter().filter(|fit| !fit.converged).count(),
         right_order: outcomes.iter().filter(|run| run.order_found == Some(4)).count(),
@@ -125,9 +124,8 @@ pub(crate) fn histogram(values: &[f64], ends: (f64, f64), bins: u32) -> Vec<(f64
         .map(|bin| {
             let left = ends.0 + width * f64::from(bin);
             let right = left + width;
-            let inside = |value: f64| {
-                (value >= left || bin == 0) && (value < right || bin + 1 == bins)
-            };
+            let inside =
+                |value: f64| (value >= left || bin == 0) && (value < right || bin + 1 == bins);
             let number = values.iter().filter(|value| inside(**value)).count();
             (left, right, count(number) / (count(values.len().max(1)) * width))
         })

@@ -20,7 +20,10 @@ fn parsed(line: &str) -> Result<NoiseArgs, clap::Error> {
 fn the_document_says_what_was_run() {
     let command = |line| parsed(line).unwrap().command();
     assert_eq!(command("noise"), "cargo xtask study noise --seeds 200");
-    assert_eq!(command("noise --seeds 50 --threads 1 --update"), "cargo xtask study noise --seeds 50 --update");
+    assert_eq!(
+        command("noise --seeds 50 --threads 1 --update"),
+        "cargo xtask study noise --seeds 50 --update"
+    );
     assert_eq!(command("noise --quick"), "cargo xtask study noise --quick");
     assert_eq!(parsed("noise").unwrap().seeds(), 200);
     assert!(parsed("noise --quick").unwrap().seeds() < 10);

@@ -73,8 +73,7 @@ fn the_low_pass_filter_halves_power_at_its_corner() {
     // An aircraft that shows its surface: x' = -w x + w u far faster than the filter.
     let fast = 1e6;
     let one = |value| DMatrix::from_element(1, 1, value);
-    let sensor =
-        StateSpace::<Continuous>::new(one(-fast), one(fast), one(1.0), one(0.0)).unwrap();
+    let sensor = StateSpace::<Continuous>::new(one(-fast), one(fast), one(1.0), one(0.0)).unwrap();
     let filter = behind_filter(&sensor, 0).unwrap();
     let gain = |omega: f64| {
         let s = Complex::new(0.0, omega);
