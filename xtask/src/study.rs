@@ -17,7 +17,7 @@ use clap::Subcommand;
 use indicatif::{ProgressBar, ProgressStyle};
 
 pub(crate) use case::Excitation;
-pub(crate) use figures::{METHODS, MODES, RATIO_AXIS};
+pub(crate) use figures::{Look, METHODS, MODES, RATIO_AXIS};
 pub(crate) use runs::in_parallel;
 pub(crate) use statistics::median;
 
@@ -41,7 +41,7 @@ enum Study {
 /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
 #[derive(Debug, clap::Args)]
 struct NoiseArgs {
-    /// A few seeds only: whether everything runs.
+    /// A few seeds only, and all of them anew: whether everything runs.
     #[arg(long, conflicts_with_all = ["seeds", "update"])]
     quick: bool,
 
@@ -75,6 +75,11 @@ impl NoiseArgs {
         )
     }
 
+    /// Where finished runs are kept, within the folder.
+    fn file(&self) -> &'static str {
+        if self.quick { "noise-quick.jsonl" } else { "noise.jsonl" }
+    }
+
     /// The command that makes the same document.
     fn command(&self) -> String {
         let seeds =
@@ -94,9 +99,13 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
             .unwrap_or_else(|_| ProgressStyle::default_bar()),
     );
     let simulator = Simulator::new()?;
+    let file = folder.join(args.file());
+    if args.quick && file.exists() {
+        std::fs::remove_file(&file).map_err(|source| TaskError::io(&file, source))?;
+    }
     let outcomes = runs::collect(
         &cases,
-        &folder.join("noise.jsonl"),
+        &file,
         args.threads(),
         |case| methods::run(&simulator, case),
         |done| bar.set_position(done as u64),
@@ -113,7 +122,8 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
     if args.update {
         page.write(&root.join("docs"), "figures", Pictures::Vector)?;
     }
-    let text = format!("written to {}: noise.jsonl, study-noise.md, figures\n", folder.display());
+    let text =
+        format!("written to {}: {}, study-noise.md, figures\n", folder.display(), args.file());
     out.write_all(text.as_bytes()).map_err(|source| TaskError::io("standard output", source))
 }
 

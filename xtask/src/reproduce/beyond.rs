@@ -3,7 +3,7 @@
 use num_complex::Complex;
 use reconstruct::{ComplexEstimate, Method, Options};
 use report::{
-    Axis, Block, Column, Dash, Ellipse, Ellipses, Figure, Ink, Line, Marker, Panel, Points, Table,
+    Axis, Block, Column, Dash, Ellipse, Ellipses, Figure, Ink, Line, Panel, Points, Table,
     format_significant,
 };
 
@@ -13,7 +13,7 @@ use super::{Part, reference};
 use crate::TaskError;
 use crate::study::flights::{Pair, Simulator, TrueModes};
 use crate::study::methods::{apply, holds_in_ellipse, most_likely, printed_errors};
-use crate::study::{Excitation, METHODS, MODES, RATIO_AXIS, in_parallel, median};
+use crate::study::{Excitation, Look, METHODS, MODES, RATIO_AXIS, in_parallel, median};
 
 const PART: &str = "beyond the paper";
 /// Decades from hardly any noise to what cheap sensors have.
@@ -114,7 +114,7 @@ fn middle(runs: &[Errors], method: usize, mode: usize) -> Option<f64> {
 }
 
 /// The look of the two methods, as in the study of noise.
-fn shown() -> [(usize, (&'static str, Ink, Dash, Marker)); 2] {
+fn shown() -> [(usize, Look); 2] {
     [(0, METHODS[0]), (1, METHODS[2])]
 }
 

@@ -8,8 +8,11 @@ use super::statistics::{Summary, histogram};
 /// The modes in the order of all triples.
 pub(crate) const MODES: [&str; 3] = ["spiral", "roll", "Dutch roll"];
 
-/// The methods in the order of [`Summary::methods`], with their look in all figures.
-pub(crate) const METHODS: [(&str, Ink, Dash, Marker); 3] = [
+/// A name and its look in all figures.
+pub(crate) type Look = (&'static str, Ink, Dash, Marker);
+
+/// The methods in the order of [`Summary::methods`].
+pub(crate) const METHODS: [Look; 3] = [
     ("as printed", Ink::Vermillion, Dash::Dotted, Marker::Cross),
     ("subspace", Ink::Sky, Dash::Dashed, Marker::Triangle),
     ("maximum likelihood", Ink::Blue, Dash::Solid, Marker::Circle),

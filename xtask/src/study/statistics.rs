@@ -83,7 +83,10 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
         scores: [scores(&[0]), scores(&[1]), scores(&[2, 3])],
         coverage: [0, 1, 2]
             .map(|mode| part_of(fits.iter().filter(|fit| fit.covered[mode]).count(), fits.len())),
-        bad_fits: fits.iter().filter(|fit| !(fit.chi_squared <= BAD_FIT)).count(),
+        bad_fits: fits
+            .iter()
+            .filter(|fit| fit.chi_squared.is_nan() || fit.chi_squared > BAD_FIT)
+            .count(),
         unconverged: fits.iter().filter(|fit| !fit.converged).count(),
         right_order: outcomes.iter().filter(|run| run.order_found == Some(4)).count(),
     }
