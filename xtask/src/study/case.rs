@@ -38,7 +38,7 @@ impl Excitation {
     }
 }
 
-/// Root mean square of each sensor's signal over that of its noise.
+/// Root mean square of each sensor's signal over that of its noise, see [`Pair`](super::flights::Pair).
 pub(crate) const SIGNAL_TO_NOISE: [u32; 4] = [1000, 100, 30, 10];
 
 /// One pair of records. Ordered by excitation, from little noise to much, by seed.

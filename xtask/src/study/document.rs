@@ -17,9 +17,10 @@ pub(crate) fn compose(
     let mut document = Document::new("Study: noise")
         .with(Block::paragraph(
             "The paper's aircraft (B as printed) at 10 Hz with sensors beta, p and r: two records, one moved through the aileron and one through the rudder, \
-             2000 samples each, 300 with the 3-2-1-1. White noise in every sensor, its level the root mean square of the sensor's signal over the \
+             2000 samples each, 300 with the 3-2-1-1. White noise in every sensor, its level the root mean square of the sensor's signal (about its mean, mean of the two records) over the \
              signal to noise ratio; no method knows the levels. Four states are given to the methods; the order that the gap shows is counted beside. \
-             The information bound is the mean covariance at the true system with known levels, for unknown inputs.",
+             The information bound is the mean covariance at the true system with known levels, for unknown inputs. A Dutch roll is lost where a real \
+             eigenvalue is in its place: that counts in errors and coverage, but has no score.",
         ))
         .with(Block::bullets([
             format!("command: `{command}`"),
@@ -161,6 +162,7 @@ fn confidence_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
         Column::right("deviation of scores"),
         Column::right("coverage (%)"),
         Column::right(bad),
+        Column::right("Dutch roll lost"),
         Column::right("not converged"),
         Column::right("no result: printed / subspace / likelihood"),
         Column::right("gap shows four states"),
@@ -178,6 +180,7 @@ fn confidence_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
                 three(summary.score_deviation(), 2),
                 three(summary.coverage.map(|part| 100.0 * part), 1),
                 of_all(summary.bad_fits),
+                of_all(summary.lost),
                 of_all(summary.unconverged),
                 summary.methods.each_ref().map(|method| method.failed.to_string()).join(" / "),
                 of_all(summary.right_order),

@@ -44,7 +44,8 @@ impl TrueModes {
 /// Two records, and the noise in them.
 pub(crate) struct Pair {
     pub(crate) records: [Record; 2],
-    /// Standard deviation of each sensor's noise, the same in both records.
+    /// Standard deviation of each sensor's noise, the same in both records: from the mean of the signal's root mean squares in the two, each
+    /// about its own mean.
     pub(crate) levels: Vec<f64>,
 }
 
@@ -102,9 +103,8 @@ impl Simulator {
         let clean = [self.clean(excitation, seed, 0)?, self.clean(excitation, seed, 1)?];
         let levels: Vec<f64> = (0..SENSORS.len())
             .map(|sensor| {
-                let squares: f64 = clean.iter().map(|y| y.row(sensor).norm_squared()).sum();
-                let samples: f64 = clean.iter().map(|y| count(y.ncols())).sum();
-                (squares / samples).sqrt() / signal_to_noise
+                let deviations = clean.iter().map(|y| y.row(sensor).variance().sqrt());
+                deviations.sum::<f64>() / count(clean.len()) / signal_to_noise
             })
             .collect();
         let noisy = |surface: usize| {

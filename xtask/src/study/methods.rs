@@ -13,7 +13,7 @@ use reconstruct::{
 use super::case::Case;
 use super::flights::{Pair, Simulator, TrueModes};
 use super::matching::{apart, assigned, nearest};
-use super::outcome::{EDITION, Likelihood, Outcome, PerMode};
+use super::outcome::{EDITION, LOST, Likelihood, Outcome, PerMode};
 use crate::TaskError;
 
 const PART: &str = "study";
@@ -137,8 +137,7 @@ fn judged(
     let checked = evaluated(pair, &fit.model)?;
     Ok(Likelihood {
         errors: errors(&[spiral.value, roll.value, dutch_roll.value], truth),
-        // JSON knows no infinity, and a deviation of zero is as wrong as can be.
-        scores: scores.map(|z| if z.is_finite() { z } else { f64::MAX.sqrt() }),
+        scores: scores.map(|z| if z.is_finite() { z } else { LOST }),
         covered: [
             holds_real(spiral, truth.spiral),
             holds_real(roll, truth.roll),

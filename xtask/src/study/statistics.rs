@@ -2,7 +2,7 @@
 
 use super::case::Excitation;
 use super::flights::count;
-use super::outcome::{Outcome, PerMode};
+use super::outcome::{LOST, Outcome, PerMode};
 
 /// A kind of record: an excitation and a signal to noise ratio.
 pub(crate) type Kind = (Excitation, u32);
@@ -16,12 +16,14 @@ pub(crate) struct Summary {
     pub(crate) methods: [MethodSummary; 3],
     /// The information bound as a standard deviation: spiral, roll, Dutch roll.
     pub(crate) bound: PerMode,
-    /// All scores: spiral, roll, and both parts of the Dutch roll.
+    /// All scores: spiral, roll, and both parts of the Dutch roll; without those of modes that were lost.
     pub(crate) scores: [Vec<f64>; 3],
     /// Part of the runs whose interval or ellipse holds the truth.
     pub(crate) coverage: PerMode,
     /// Runs with chi-squared per degree of freedom above 1.1.
     pub(crate) bad_fits: usize,
+    /// Runs in which a real eigenvalue has taken the Dutch roll's place.
+    pub(crate) lost: usize,
     /// Runs whose search did not converge.
     pub(crate) unconverged: usize,
     /// Runs in which the gap shows four states.
@@ -63,7 +65,10 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
         MethodSummary { rms: of(root_mean_square), median: of(median), failed }
     };
     let scores = |parts: &[usize]| {
-        fits.iter().flat_map(|fit| parts.iter().map(|part| fit.scores[*part])).collect()
+        fits.iter()
+            .flat_map(|fit| parts.iter().map(|part| fit.scores[*part]))
+            .filter(|score| score.abs() < LOST)
+            .collect()
     };
     let part_of = |number: usize, all: usize| count(number) / count(all.max(1));
     Summary {
@@ -87,6 +92,7 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
             .iter()
             .filter(|fit| fit.chi_squared.is_nan() || fit.chi_squared > BAD_FIT)
             .count(),
+        lost: fits.iter().filter(|fit| fit.scores.iter().any(|z| z.abs() >= LOST)).count(),
         unconverged: fits.iter().filter(|fit| !fit.converged).count(),
         right_order: outcomes.iter().filter(|run| run.order_found == Some(4)).count(),
     }

@@ -18,8 +18,12 @@ fn the_noise_has_the_size_it_should_have() {
         assert!(clean.levels.iter().all(|level| level.abs() <= 0.0));
         let samples = excitation.samples();
         for sensor in 0..3 {
-            let square = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>();
-            let signal: f64 = (0..2).map(|j| square(values(&clean, j, sensor))).sum();
+            let deviation = |record: usize| {
+                let x = values(&clean, record, sensor);
+                let mean = x.iter().sum::<f64>() / samples as f64;
+                (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / samples as f64).sqrt()
+            };
+            let signal = f64::midpoint(deviation(0), deviation(1));
             let mut noise = 0.0;
             for record in 0..2 {
                 assert_eq!(noisy.records[record].samples(), samples);
@@ -33,10 +37,9 @@ fn the_noise_has_the_size_it_should_have() {
                 }
             }
             // The deviation of a deviation is 1 / sqrt(2 N): 3 % with 600 samples.
-            let ratio = (signal / noise).sqrt();
+            let ratio = signal / (noise / (2 * samples) as f64).sqrt();
             assert!((ratio / 10.0 - 1.0).abs() < 0.1, "{excitation:?}: {ratio}");
-            let level = noisy.levels[sensor] / (signal / (2 * samples) as f64).sqrt();
-            assert!((level - 0.1).abs() < 1e-12);
+            assert!((noisy.levels[sensor] / signal - 0.1).abs() < 1e-12);
         }
     }
 }

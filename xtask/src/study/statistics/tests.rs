@@ -64,6 +64,20 @@ fn an_unknown_fit_is_a_bad_one() {
 }
 
 #[test]
+fn a_lost_mode_is_counted_apart() {
+    let mut lost = fit(1.0, 1.0);
+    lost.scores[3] = LOST;
+    let chosen = &cases(17)[..];
+    let kind = |case: &&Case| case.excitation == Excitation::White && case.signal_to_noise == 10;
+    let mut outcomes: Vec<Outcome> =
+        chosen.iter().filter(kind).map(|case| outcome(*case, Some(fit(1.0, 1.0)))).collect();
+    outcomes[5] = outcome(outcomes[5].case, Some(lost));
+    let found = &summaries(&outcomes)[0];
+    assert_eq!((found.runs, found.lost, found.scores[2].len()), (17, 1, 33));
+    assert!(found.score_deviation()[2] < 4.0);
+}
+
+#[test]
 fn middle_and_bins() {
     assert!((median(&[3.0, 1.0, 2.0]) - 2.0).abs() < 1e-15);
     assert!((median(&[4.0, 1.0, 2.0, 3.0]) - 2.5).abs() < 1e-15);
