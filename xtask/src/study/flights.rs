@@ -47,6 +47,8 @@ pub(crate) struct Pair {
     /// Standard deviation of each sensor's noise, the same in both records: from the mean of the signal's root mean squares in the two, each
     /// about its own mean.
     pub(crate) levels: Vec<f64>,
+    /// Sensors that the methods are told to read the excitation directly. None, as by default.
+    pub(crate) direct: Vec<usize>,
 }
 
 /// Makes records.
@@ -119,7 +121,7 @@ impl Simulator {
             Record::new(SURFACES[surface], self.discrete.period(), channels.collect())
                 .map_err(TaskError::computation(PART))
         };
-        Ok(Pair { records: [noisy(0)?, noisy(1)?], levels })
+        Ok(Pair { records: [noisy(0)?, noisy(1)?], levels, direct: Vec::new() })
     }
 
     /// What the sensors would read without noise: one row each.

@@ -25,6 +25,7 @@ pub(crate) fn apply(pair: &Pair, method: Method, order: OrderChoice) -> Option<R
     let mut options = Options::default();
     options.method = method;
     options.order = order;
+    options.feedthrough_sensors.clone_from(&pair.direct);
     reconstruct(&pair.records, &options).ok()
 }
 
@@ -170,6 +171,9 @@ pub(crate) fn holds_in_ellipse(estimate: &ComplexEstimate, truth: Complex<f64>) 
 fn evaluated(pair: &Pair, model: &SharedModel) -> Result<LikelihoodFit, TaskError> {
     let mut options = LikelihoodOptions::default();
     options.noise = LikelihoodNoise::Given(pair.levels.clone());
+    if model.feedthrough.is_some() {
+        options.feedthrough_sensors.clone_from(&pair.direct);
+    }
     options.directions = Directions::AsStarted;
     options.largest_steps = 0;
     maximise(&pair.records, std::slice::from_ref(model), &options)

@@ -64,3 +64,21 @@ fn without_noise_the_printed_method_finds_everything() {
     let errors = printed_errors(&pair, &simulator.modes()).unwrap();
     assert!(errors.iter().all(|error| *error < 1e-6), "{errors:?}");
 }
+
+#[test]
+fn an_input_that_is_not_held_reaches_the_sensors_directly() {
+    let simulator = Simulator::new().unwrap();
+    let truth = simulator.modes();
+    let case = Case { excitation: Excitation::BandLimited, signal_to_noise: 1000, seed: 1 };
+    let mut pair = simulator.fly(&case).unwrap();
+    let chi_squared = |pair: &Pair| {
+        let (fit, _) = most_likely(pair, &truth).unwrap();
+        evaluated(pair, &fit.model).unwrap().chi_squared.per_degree_of_freedom()
+    };
+    let held = chi_squared(&pair);
+    assert!(held > 1.5, "{held}");
+    // What it does until the next sample shows in every sensor at once.
+    pair.direct = vec![0, 1, 2];
+    let direct = chi_squared(&pair);
+    assert!((direct - 1.0).abs() < 0.08, "{direct}");
+}
