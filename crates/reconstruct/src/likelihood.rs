@@ -63,6 +63,7 @@ use conclusion::conclude;
 use evaluation::Problem;
 use spectrum::transform;
 pub(crate) use spectrum::{count, rms};
+pub(crate) use validation::check_known_inputs;
 
 /// What the likelihood says about several records.
 #[derive(Clone, Debug)]

@@ -77,7 +77,7 @@ pub struct Reconstruction {
 ///
 /// # Errors
 ///
-/// Those of [`as_printed`], [`intersect`] and [`maximise`]: records that don't fit together, that are too few or too short for the order, that hold a
+/// Those of [`as_printed`], [`intersect`](crate::intersect) and [`maximise`]: records that don't fit together, that are too few or too short for the order, that hold a
 /// dead or repeated channel; options that don't fit the records.
 ///
 /// # Example
@@ -188,7 +188,7 @@ fn likelihood(records: &[Record], options: &Options) -> Result<Reconstruction, R
     let FirstStage { intersection: first, order, doubts, starts } =
         starts::first_stage(records, options)?;
     let fit = maximise(records, &starts, &options.likelihood(records, &first)?)?;
-    let doubts = doubt::doubts(records, options, &first, doubts, &fit);
+    let doubts = doubt::doubts(records, &first, doubts, &fit);
     let modes = fit.modes.iter().map(|estimate| FoundMode {
         strength: strength(&first, &estimate.mode),
         mode: estimate.mode.clone(),

@@ -99,7 +99,8 @@ fn check_levels(
     levels.iter().try_for_each(|&level| check_tolerance(name, level))
 }
 
-fn check_known_inputs(
+/// Refuses inputs that do not fit the records: for each record a list of signals as long as the record, finite and not zero throughout.
+pub(crate) fn check_known_inputs(
     records: &[Record],
     inputs: &[Vec<Vec<f64>>],
 ) -> Result<(), ReconstructError> {

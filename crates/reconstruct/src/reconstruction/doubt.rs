@@ -1,6 +1,5 @@
 //! Why a reconstruction should not be trusted: what the stages doubt themselves, and what shows only when their answers are compared.
 
-use super::Options;
 use crate::{Doubt, Intersection, LikelihoodFit, NoiseOrigin, Record, SearchStatus, SubspaceDoubt};
 
 /// A reason to doubt a [`Reconstruction`](crate::Reconstruction). Each can be printed.
@@ -130,31 +129,18 @@ const RESIDUALS_PER_PARAMETER: f64 = 10.0;
 /// What both stages and their comparison give reason to doubt.
 pub(super) fn doubts(
     records: &[Record],
-    options: &Options,
     first: &Intersection,
     mut doubts: Vec<ReconstructionDoubt>,
     fit: &LikelihoodFit,
 ) -> Vec<ReconstructionDoubt> {
-    let explained = |name: &str| {
-        let index = records.iter().position(|record| record.name() == name);
-        let inputs = index.and_then(|index| options.known_inputs.get(index));
-        inputs.is_some_and(|inputs| !inputs.is_empty())
-    };
+    // The second stage has levels and directions of its own.
     doubts.retain(|doubt| {
-        let ReconstructionDoubt::Subspace(doubt) = doubt else { return true };
-        match doubt {
-            // The second stage has levels and directions of its own.
-            SubspaceDoubt::NoiseNotConverged { .. } | SubspaceDoubt::UncertainDirection { .. } => {
-                false
-            }
-            // A known input is an excitation that the first stage does not know.
-            SubspaceDoubt::SeveralExcitations { record, .. }
-            | SubspaceDoubt::NoiseNotWhite { record, .. } => !explained(record),
-            SubspaceDoubt::SameExcitation { first, second, .. } => {
-                !explained(first) && !explained(second)
-            }
-            _ => true,
-        }
+        !matches!(
+            doubt,
+            ReconstructionDoubt::Subspace(
+                SubspaceDoubt::NoiseNotConverged { .. } | SubspaceDoubt::UncertainDirection { .. }
+            )
+        )
     });
     doubts.extend(of_search(fit));
     if first.noise.origin == NoiseOrigin::Rounding {

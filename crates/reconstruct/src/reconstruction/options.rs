@@ -53,8 +53,8 @@ pub struct Options {
     pub band: Option<FrequencyBand>,
     /// Indices of the sensors that read the excitation directly, as accelerometers do; by default none.
     pub feedthrough_sensors: Vec<usize>,
-    /// Inputs that were recorded: for each record a list of signals as long as the record. Empty where nothing was recorded. The second
-    /// stage alone takes them into account, so that [`Method::Subspace`] refuses them.
+    /// Inputs that were recorded: for each record a list of signals as long as the record. Empty where nothing was recorded. [`Method::AsPrinted`]
+    /// knows of none.
     pub known_inputs: Vec<Vec<Vec<f64>>>,
     /// The most steps of the second stage's search between two updates of the noise levels; by default 100.
     pub largest_steps: usize,
@@ -90,25 +90,17 @@ const LONGEST_AUTOREGRESSION: usize = 24;
 
 impl Options {
     /// The options of the first stage.
-    pub(super) fn subspace(&self) -> Result<SubspaceOptions, ReconstructError> {
-        if self.method == Method::Subspace && self.known_inputs.iter().any(|list| !list.is_empty())
-        {
-            return Err(ReconstructError::Option {
-                name: "known inputs",
-                message:
-                    "signal subspaces alone cannot take them into account: use maximum likelihood"
-                        .to_owned(),
-            });
-        }
+    pub(super) fn subspace(&self) -> SubspaceOptions {
         let still = self.offsets == Offsets::Zero && self.trend == Trend::Absent;
         let direct = !self.feedthrough_sensors.is_empty();
-        Ok(SubspaceOptions {
+        SubspaceOptions {
             order: self.order,
             block_rows: self.block_rows,
             noise: self.noise.clone(),
             centring: if still { Centring::None } else { Centring::Rows },
+            known_inputs: self.known_inputs.clone(),
             direct_path: if direct { DirectPath::Present } else { DirectPath::Absent },
-        })
+        }
     }
 
     /// The options of the second stage, after the first.

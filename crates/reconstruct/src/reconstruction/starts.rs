@@ -28,7 +28,7 @@ pub(super) fn first_stage(
     records: &[Record],
     options: &Options,
 ) -> Result<FirstStage, ReconstructError> {
-    let own = options.subspace()?;
+    let own = options.subspace();
     let mut first = intersect(records, &own)?;
     let (mut order, mut starts) = (first.order.clone(), Vec::new());
     if options.block_rows.is_none() && first.noise.origin != NoiseOrigin::Rounding {

@@ -1,6 +1,7 @@
 mod doubts;
 mod flights;
 mod options;
+mod planted;
 
 use super::*;
 use crate::{Channel, Method, NoiseModel, Options, OrderChoice};

@@ -1,6 +1,7 @@
 //! What records and options must satisfy, and how many block rows they allow.
 
 use super::options::{Centring, DirectPath, OrderChoice, SubspaceOptions};
+use crate::likelihood::check_known_inputs;
 use crate::record::check_compatible;
 use crate::{NoiseModel, ReconstructError, Record};
 
@@ -18,6 +19,8 @@ pub(super) struct Setting<'a> {
     pub(super) sensors: usize,
     pub(super) centring: Centring,
     pub(super) direct_path: DirectPath,
+    /// For each record the inputs that were recorded; empty if there are none at all.
+    pub(super) known: &'a [Vec<Vec<f64>>],
 }
 
 /// The number of block rows, and the orders that it can tell.
@@ -52,8 +55,9 @@ impl<'a> Setting<'a> {
                 Some(quiet)
             }
         };
+        check_known_inputs(records, &options.known_inputs)?;
         let (centring, direct_path) = (options.centring, options.direct_path);
-        Ok(Self { records, quiet, sensors, centring, direct_path })
+        Ok(Self { records, quiet, sensors, centring, direct_path, known: &options.known_inputs })
     }
 
     /// `J (m - 1) - m`, at least 1.
@@ -71,9 +75,10 @@ impl<'a> Setting<'a> {
         (block_rows * self.surplus() / (self.records.len() - 1)).min(block_rows.saturating_sub(1))
     }
 
-    /// The samples that so many block rows need: as many columns as rows, and one for the mean.
+    /// The samples that so many block rows need: as many columns as rows, known inputs included, and one for the mean.
     fn samples_for_rows(&self, block_rows: usize) -> usize {
-        (self.sensors + 1) * block_rows - 1 + usize::from(self.centring == Centring::Rows)
+        let inputs = self.known.iter().map(Vec::len).max().unwrap_or(0);
+        (self.sensors + inputs + 1) * block_rows - 1 + usize::from(self.centring == Centring::Rows)
     }
 
     /// Dimension of the signal with `excitations` of them in a record: n for the state, and one for each sample of an excitation that L

@@ -3,12 +3,13 @@
 use hankel::{Gram, Layout, Options};
 use nalgebra::DMatrix;
 
-use super::dense::eigenvalues;
+use super::dense::{Eigen, eigen, eigenvalues};
 use super::factor::triangle;
 use super::limits::Setting;
 use super::options::Centring;
 use super::whitening::{Source, Whitening};
-use crate::{ReconstructError, Record};
+use crate::likelihood::rms;
+use crate::{Channel, ReconstructError, Record};
 
 /// Below this ratio of the smallest to the largest eigenvalue a covariance in double precision no longer shows noise, but its own rounding errors.
 const DYNAMIC_RANGE: f64 = 1e-10;
@@ -39,7 +40,13 @@ impl Sources {
             .map(|record| gram(record, &units, block_rows, setting.centring))
             .collect::<Result<Vec<Gram>, _>>()?;
         let columns: Vec<usize> = grams.iter().map(Gram::rows).collect();
-        let covariances = grams.iter().map(covariance).collect::<Result<Vec<_>, _>>()?;
+        let mut covariances = grams.iter().map(covariance).collect::<Result<Vec<_>, _>>()?;
+        let mut explained = false;
+        for (j, inputs) in setting.known.iter().enumerate().filter(|(_, inputs)| !inputs.is_empty())
+        {
+            covariances[j] = without_inputs(setting, &units, block_rows, j, inputs)?;
+            explained = true;
+        }
         let deviations = deviations(&covariances, setting.sensors);
         let rows = probe * setting.sensors;
         let whitening = Whitening::Levels(deviations.clone());
@@ -49,7 +56,8 @@ impl Sources {
             let values = whitening.values(&source, rows)?;
             noisy &= values[0] > DYNAMIC_RANGE * values[rows - 1];
         }
-        let sources: Vec<Source> = if noisy {
+        // The triangles know nothing of inputs.
+        let sources: Vec<Source> = if noisy || explained {
             covariances.into_iter().map(Source::Covariance).collect()
         } else {
             grams.iter().map(triangle).map(Source::Triangle).collect()
@@ -59,6 +67,45 @@ impl Sources {
         let records = sources.into_iter().zip(weights).collect();
         Ok(Self { records, columns, deviations, units })
     }
+}
+
+/// The covariance of a record without what L samples of its known inputs explain: `G_yy - G_yw G_ww^+ G_wy`.
+fn without_inputs(
+    setting: Setting<'_>,
+    units: &[f64],
+    block_rows: usize,
+    record: usize,
+    inputs: &[Vec<f64>],
+) -> Result<DMatrix<f64>, ReconstructError> {
+    /// Directions in which the inputs vary by less than this part of the largest variance are left alone: they may be rounding errors.
+    const SMALL: f64 = 1e-10;
+    let source = &setting.records[record];
+    let names = (0..inputs.len()).map(|index| format!("known input {index}"));
+    let known = names.zip(inputs).map(|(name, values)| Channel::new(name, values.clone()));
+    let channels = source.channels().iter().cloned().chain(known).collect();
+    let all = Record::new(source.name(), source.period(), channels)?;
+    let scales = inputs.iter().map(|input| rms(input));
+    let units: Vec<f64> = units.iter().copied().chain(scales).collect();
+    let gram = gram(&all, &units, block_rows, setting.centring)?;
+    let matrix = gram.matrix().map_err(failed)?;
+    let (m, c) = (setting.sensors, units.len());
+    let (sensors, known): (Vec<usize>, Vec<usize>) =
+        (0..matrix.nrows()).partition(|row| row % c < m);
+    let mixed = matrix.select_rows(&sensors).select_columns(&known);
+    let Eigen { values, vectors } = eigen(&matrix.select_rows(&known).select_columns(&known))?;
+    let mut left = matrix.select_rows(&sensors).select_columns(&sensors);
+    let largest = values.last().copied().unwrap_or(0.0);
+    let mut explained = 0;
+    for (value, vector) in values.iter().zip(vectors.column_iter()) {
+        if *value > SMALL * largest {
+            let along = &mixed * vector;
+            left.ger(-1.0 / value, &along, &along, 1.0);
+            explained += 1;
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
+    let free = gram.rows().saturating_sub(explained).max(1) as f64;
+    Ok(left / free)
 }
 
 /// The whitening that a quiet record gives: its covariance R replaces `I x diag s^2`.
