@@ -11,7 +11,7 @@ mod paper;
 mod peak;
 mod peers;
 mod records;
-mod row;
+pub(crate) mod row;
 mod slope;
 mod speed;
 mod stream;
@@ -21,10 +21,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use report::{Block, Document, markdown, png, svg};
-use transmode::write_whole;
+use report::{Block, Document};
 
 use crate::TaskError;
+use crate::page::{Page, Pictures};
 use peers::Peers;
 
 /// Measure speed, accuracy, growth and memory of the fits.
@@ -113,9 +113,11 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
     }
     bench.bar.finish_and_clear();
     let folder = args.out.clone().unwrap_or_else(|| target.join("bench"));
-    write_out(&folder, "", &document, Pictures::Both)?;
+    let page =
+        Page { file: "benchmarks.md", command: "cargo xtask bench --update", document: &document };
+    page.write(&folder, "", Pictures::Both)?;
     if args.update {
-        write_out(&root.join("docs"), "figures", &document, Pictures::Vector)?;
+        page.write(&root.join("docs"), "figures", Pictures::Vector)?;
     }
     let text = format!("written to {}: benchmarks.md, figures\n", folder.display());
     out.write_all(text.as_bytes()).map_err(|source| TaskError::io("standard output", source))
@@ -173,40 +175,6 @@ fn command(args: &Args) -> String {
     words.extend(args.only.as_ref().map(|id| format!("--only {id}")));
     words.extend(args.update.then(|| "--update".to_owned()));
     words.join(" ")
-}
-
-/// Which pictures to write: for the tree the SVG is enough.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Pictures {
-    Vector,
-    Both,
-}
-
-fn write_out(
-    folder: &Path,
-    figures: &str,
-    document: &Document,
-    pictures: Pictures,
-) -> Result<(), TaskError> {
-    let place = folder.join(figures);
-    std::fs::create_dir_all(&place).map_err(|source| TaskError::io(&place, source))?;
-    for figure in document.figures() {
-        let picture = svg::render(figure).map_err(TaskError::computation("figures"))?;
-        write(&place.join(format!("{}.svg", figure.id)), picture.as_bytes())?;
-        if pictures == Pictures::Both {
-            let pixels = png::render(&picture, 2.0).map_err(TaskError::computation("figures"))?;
-            write(&place.join(format!("{}.png", figure.id)), &pixels)?;
-        }
-    }
-    let text = format!(
-        "<!-- Written by `cargo xtask bench --update`. -->\n\n{}",
-        markdown::render(document, figures)
-    );
-    write(&folder.join("benchmarks.md"), text.as_bytes())
-}
-
-fn write(file: &Path, bytes: &[u8]) -> Result<(), TaskError> {
-    Ok(write_whole(file, bytes, &mut std::io::sink())?)
 }
 
 #[cfg(test)]

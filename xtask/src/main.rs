@@ -1,8 +1,10 @@
-//! The project's own tasks: reproduce the paper, measure speed and accuracy, keep the tree tidy.
+//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise, keep the tree tidy.
 
 mod bench;
 mod error;
+mod page;
 mod reproduce;
+mod study;
 mod tidy;
 
 use std::io::Write;
@@ -25,6 +27,7 @@ struct Args {
 enum Task {
     Reproduce(reproduce::Args),
     Bench(bench::Args),
+    Study(study::Args),
     /// Check what the compiler cannot: equation marks against docs/equations.md, the shape of source files.
     Tidy,
 }
@@ -35,6 +38,7 @@ fn main() -> ExitCode {
     let result = match &args.task {
         Task::Reproduce(args) => reproduce::run(&root(), args, &mut out),
         Task::Bench(args) => bench::run(&root(), args, &mut out),
+        Task::Study(args) => study::run(&root(), args, &mut out),
         Task::Tidy => tidy::run(&root(), &mut out),
     };
     match result {

@@ -1,6 +1,7 @@
 //! `cargo xtask reproduce`: the paper's examples, figures and eigenvalues, beside what the paper prints.
 
 mod aircraft_model;
+mod beyond;
 mod check;
 mod composite_models;
 mod errata;
@@ -27,7 +28,7 @@ use flight::Flight;
 /// Reproduce the paper: its examples, its four figures, its reconstructed eigenvalues.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// Only this part: example-4-1, example-4-2, aircraft, figures-1-2, figure-3 or figure-4.
+    /// Only this part: example-4-1, example-4-2, aircraft, figures-1-2, figure-3, figure-4 or beyond.
     #[arg(long, value_name = "ID")]
     only: Option<String>,
 
@@ -54,14 +55,15 @@ pub(crate) struct Part {
 
 type Build = fn(&Flight) -> Result<Part, TaskError>;
 
-/// The parts in the paper's order, and what `--only` calls them.
-const PARTS: [(&str, Build); 6] = [
+/// The parts in the paper's order and what goes beyond it, and what `--only` calls them.
+const PARTS: [(&str, Build); 7] = [
     ("example-4-1", example_4_1::build),
     ("example-4-2", example_4_2::build),
     ("aircraft", aircraft_model::build),
     ("figures-1-2", composite_models::build),
     ("figure-3", iir_models::build),
     ("figure-4", reconstruction::build),
+    ("beyond", beyond::build),
 ];
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {

@@ -1,0 +1,117 @@
+use super::*;
+
+fn simulator() -> Simulator {
+    Simulator::new().unwrap()
+}
+
+fn values(pair: &Pair, record: usize, sensor: usize) -> &[f64] {
+    &pair.records[record].channels()[sensor].values
+}
+
+#[test]
+fn the_noise_has_the_size_it_should_have() {
+    let simulator = simulator();
+    for excitation in Excitation::ALL {
+        let clean = simulator.fly_at(excitation, f64::INFINITY, 7).unwrap();
+        let noisy = simulator.fly_at(excitation, 10.0, 7).unwrap();
+        let less = simulator.fly_at(excitation, 1000.0, 7).unwrap();
+        assert!(clean.levels.iter().all(|level| level.abs() <= 0.0));
+        let samples = excitation.samples();
+        for sensor in 0..3 {
+            let deviation = |record: usize| {
+                let x = values(&clean, record, sensor);
+                let mean = x.iter().sum::<f64>() / samples as f64;
+                (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / samples as f64).sqrt()
+            };
+            let signal = f64::midpoint(deviation(0), deviation(1));
+            let mut noise = 0.0;
+            for record in 0..2 {
+                assert_eq!(noisy.records[record].samples(), samples);
+                for k in 0..samples {
+                    let y = values(&clean, record, sensor)[k];
+                    let large = values(&noisy, record, sensor)[k] - y;
+                    let small = values(&less, record, sensor)[k] - y;
+                    noise += large * large;
+                    // The same noise in another size.
+                    assert!((large - 100.0 * small).abs() <= 1e-9 * y.abs().max(large.abs()));
+                }
+            }
+            // The deviation of a deviation is 1 / sqrt(2 N): 3 % with 600 samples.
+            let ratio = signal / (noise / (2 * samples) as f64).sqrt();
+            assert!((ratio / 10.0 - 1.0).abs() < 0.1, "{excitation:?}: {ratio}");
+            assert!((noisy.levels[sensor] / signal - 0.1).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn seeds_and_surfaces_have_noise_of_their_own() {
+    let simulator = simulator();
+    let noise = |seed, record| {
+        let clean = simulator.fly_at(Excitation::Multistep, f64::INFINITY, seed).unwrap();
+        let noisy = simulator.fly_at(Excitation::Multistep, 30.0, seed).unwrap();
+        let pairs = values(&noisy, record, 0).iter().zip(values(&clean, record, 0));
+        pairs.map(|(a, b)| a - b).collect::<Vec<_>>()
+    };
+    let correlation = |x: Vec<f64>, y: Vec<f64>| {
+        let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
+        dot(&x, &y) / (dot(&x, &x) * dot(&y, &y)).sqrt()
+    };
+    assert!((correlation(noise(1, 0), noise(1, 0)) - 1.0).abs() < 1e-12);
+    assert!(correlation(noise(1, 0), noise(1, 1)).abs() < 0.3);
+    assert!(correlation(noise(1, 0), noise(2, 0)).abs() < 0.3);
+}
+
+#[test]
+fn the_multistep_is_three_two_one_one() {
+    let signal = multistep(300);
+    let runs: Vec<(f64, usize)> = signal
+        .as_slice()
+        .chunk_by(|a, b| (a - b).abs() < 0.5)
+        .map(|run| (run[0], run.len()))
+        .collect();
+    let expected = [(0.0, 10), (1.0, 21), (-1.0, 14), (1.0, 7), (-1.0, 7), (0.0, 241)];
+    assert_eq!(runs, expected);
+}
+
+#[test]
+fn the_low_pass_filter_halves_power_at_its_corner() {
+    // An aircraft that shows its surface: x' = -w x + w u far faster than the filter.
+    let fast = 1e6;
+    let one = |value| DMatrix::from_element(1, 1, value);
+    let sensor = StateSpace::<Continuous>::new(one(-fast), one(fast), one(1.0), one(0.0)).unwrap();
+    let filter = behind_filter(&sensor, 0).unwrap();
+    let gain = |omega: f64| {
+        let s = Complex::new(0.0, omega);
+        let n = filter.order();
+        let pencil = DMatrix::from_fn(n, n, |i, k| {
+            let diagonal = if i == k { s } else { Complex::new(0.0, 0.0) };
+            diagonal - filter.a()[(i, k)]
+        });
+        let b = filter.b().map(|entry| Complex::new(entry, 0.0));
+        let x = pencil.lu().solve(&b).unwrap();
+        (0..n).map(|k| x[k] * filter.c()[(0, k)]).sum::<Complex<f64>>().norm()
+    };
+    assert!((gain(0.0) - 1.0).abs() < 1e-9);
+    assert!((gain(CORNER_RAD_S) - 0.5_f64.sqrt()).abs() < 1e-4);
+    // Fourth order: 1 / sqrt(1 + 5^8).
+    assert!((gain(5.0 * CORNER_RAD_S) * (1.0 + 5.0_f64.powi(8)).sqrt() - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn the_autoregression_remembers() {
+    let mut random = stream(5, 0);
+    let signal = autoregressive(normal(1, 20_000, &mut random));
+    let sum = |lag: usize| (lag..20_000).map(|k| signal[k] * signal[k - lag]).sum::<f64>();
+    assert!((sum(0) / 20_000.0 - 1.0).abs() < 0.1);
+    assert!((sum(1) / sum(0) - 0.9).abs() < 0.02);
+}
+
+#[test]
+fn modes_are_told_apart() {
+    let modes = simulator().modes();
+    assert!((modes.spiral.re + 0.0016).abs() < 1e-4);
+    assert!((modes.roll.re + 0.5456).abs() < 1e-4);
+    assert!((modes.dutch_roll - Complex::new(-0.0706, 1.6917)).norm() < 1e-4);
+    assert!(told_apart(&[Complex::new(1.0, 0.0)]).is_err());
+}
