@@ -84,6 +84,17 @@ impl Orders {
     pub fn equations(self, samples: usize) -> usize {
         samples.saturating_sub(self.causal + self.reach())
     }
+
+    /// Consecutive samples that this many model equations take, at least one of them: the counterpart of [`Orders::equations`].
+    ///
+    /// ```
+    /// # use cfi_ident::Orders;
+    /// assert_eq!(Orders::new(4, 25, 25)?.samples_needed(1950), 2000);
+    /// # Ok::<(), cfi_ident::FitError>(())
+    /// ```
+    pub fn samples_needed(self, equations: usize) -> usize {
+        equations + self.causal + self.reach()
+    }
 }
 
 impl std::fmt::Display for Orders {

@@ -134,11 +134,7 @@ impl CfiModel {
     fn first_predicted(&self, samples: usize) -> Result<usize, FitError> {
         let orders = self.structure().orders;
         if orders.equations(samples) == 0 {
-            return Err(FitError::TooShort {
-                samples,
-                orders,
-                needed: orders.causal() + orders.reach() + 1,
-            });
+            return Err(FitError::TooShort { samples, orders, needed: orders.samples_needed(1) });
         }
         Ok(orders.causal() + orders.iir())
     }

@@ -98,7 +98,7 @@ impl Counts {
                 equations: self.equations,
                 parameters: structure.parameter_count(),
                 orders,
-                needed: needed + orders.causal() + orders.reach(),
+                needed: orders.samples_needed(needed),
             });
         }
         Ok(())

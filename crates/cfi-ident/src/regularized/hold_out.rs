@@ -88,11 +88,7 @@ pub(crate) fn choose(
         let samples =
             segments.iter().map(|s| s.samples() - cut(s.samples(), fraction)).max().unwrap_or(0);
         let orders = structure.orders;
-        return Err(FitError::TooShort {
-            samples,
-            orders,
-            needed: orders.causal() + orders.reach() + 1,
-        });
+        return Err(FitError::TooShort { samples, orders, needed: orders.samples_needed(1) });
     }
     let penalised = Penalised::new(&training, structure)?;
     let mut scores = Vec::with_capacity(candidates.len());

@@ -79,7 +79,7 @@ pub(super) fn warnings(found: &Found) -> Vec<Warning> {
     }
     if fit.segments_without_equation > 0 {
         let orders = structure.orders;
-        let needed = orders.causal() + orders.iir().max(orders.anticausal()) + 1;
+        let needed = orders.samples_needed(1);
         let (count, segments) = (fit.segments_without_equation, found.segments);
         warnings.push(Warning::ShortSegments { count, segments, needed });
     }
