@@ -64,7 +64,7 @@ pub use fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilit
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
-    FrequencyBand, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets,
+    FrequencyBand, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, Rival,
     SearchReport, SearchStatus, StartReport, Trend, Whiteness, bootstrap, maximise,
 };
 pub use noise_model::NoiseModel;

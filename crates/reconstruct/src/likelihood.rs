@@ -20,7 +20,8 @@
 //! | `direction.rs`, `resolvent.rs` | b_j from the spectra with A and C held |
 //! | `feedback.rs`, `tables.rs`, `at_frequencies.rs`, `lanes.rs`, `sums.rs`, `evaluation.rs` | cost, gradient, Gram matrix; t_j eliminated |
 //! | `climb.rs`, `conclusion.rs` | from a start to the top, from the top to the result |
-//! | `levenberg_marquardt.rs` | the search |
+//! | `search.rs`, `thinning.rs`, `slow_modes.rs` | over all starts and tops to the highest one |
+//! | `levenberg_marquardt.rs` | steps downhill |
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
 //! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
 //! | `bootstrap.rs` | deviations of modes from repeated noise |
@@ -36,19 +37,24 @@ mod feedback;
 pub(crate) mod fixtures;
 mod gamma;
 mod goodness;
+mod held;
 mod lanes;
 mod levenberg_marquardt;
 mod noise_levels;
 mod options;
 mod resolvent;
+mod search;
+mod slow_modes;
 mod spectrum;
 mod sums;
 mod system;
 mod tables;
+mod thinning;
 mod uncertainty;
 mod validation;
 
 use nalgebra::DMatrix;
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
@@ -58,9 +64,9 @@ pub use options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions,
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};
-use climb::{Climb, climb};
 use conclusion::conclude;
 use evaluation::Problem;
+use search::search;
 use spectrum::transform;
 pub(crate) use spectrum::{count, rms};
 pub(crate) use validation::check_known_inputs;
@@ -97,6 +103,20 @@ pub struct LikelihoodFit {
     pub starts: Vec<StartReport>,
     /// Index of the start that led here.
     pub best_start: usize,
+    /// Rounds in which a slow mode, moved elsewhere, led higher than all starts.
+    pub moves: usize,
+    /// Other tops of the likelihood that are nearly as high.
+    pub rivals: Vec<Rival>,
+}
+
+/// Another system that the records allow.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Rival {
+    /// Minus twice the logarithm of its likelihood over the best one's: 6 is a ratio of 1 to 20.
+    pub above: f64,
+    /// Its eigenvalues in rad/s, a complex pair once.
+    pub eigenvalues: Vec<Complex<f64>>,
 }
 
 /// How a search went.
@@ -125,7 +145,7 @@ pub struct StartReport {
     pub cost_at_start: f64,
     /// For each record, whether the direction that was estimated from the spectra fits better than the start's.
     pub direction_replaced: Vec<bool>,
-    /// What was compared between the starts: the cost, plus the logarithms of determinants where noise levels were estimated.
+    /// What was compared between the starts, with many frequencies on some of them: the cost, plus the logarithms of determinants where noise levels were estimated.
     pub objective: f64,
     /// How its search went; `None` where the start has no finite cost.
     pub search: Option<SearchReport>,
@@ -211,25 +231,10 @@ pub fn maximise(
     if residuals <= needed {
         return Err(ReconstructError::TooFewSamples { residuals, parameters: needed });
     }
-    let mut reports = Vec::with_capacity(starts.len());
-    let mut best: Option<(usize, Climb)> = None;
-    for (index, start) in starts.iter().enumerate() {
-        let (report, climb) = climb(&problem, start, &units, residuals, options);
-        if let Some(climb) = climb {
-            let better = best.as_ref().is_none_or(|(_, best)| climb.objective < best.objective);
-            if better {
-                best = Some((index, climb));
-            }
-        }
-        reports.push(report);
-    }
-    let Some((best_start, climb)) = best else {
-        return Err(ReconstructError::Start {
-            start: 0,
-            message: "no start has a finite likelihood".to_owned(),
-        });
-    };
-    conclude(records, &problem, climb, &units, residuals, options, reports, best_start)
+    let found = search(&problem, starts, &units, residuals, options).ok_or_else(|| {
+        ReconstructError::Start { start: 0, message: "no start has a finite likelihood".to_owned() }
+    })?;
+    conclude(records, &problem, found, &units, residuals, options)
 }
 
 #[cfg(test)]

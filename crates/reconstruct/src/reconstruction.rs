@@ -188,7 +188,7 @@ fn likelihood(records: &[Record], options: &Options) -> Result<Reconstruction, R
     let FirstStage { intersection: first, order, doubts, starts } =
         starts::first_stage(records, options)?;
     let fit = maximise(records, &starts, &options.likelihood(records, &first)?)?;
-    let doubts = doubt::doubts(records, &first, doubts, &fit);
+    let doubts = doubt::doubts(records, &first, doubts, &fit, &options.noise);
     let modes = fit.modes.iter().map(|estimate| FoundMode {
         strength: strength(&first, &estimate.mode),
         mode: estimate.mode.clone(),

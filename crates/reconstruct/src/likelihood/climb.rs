@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::direction;
 use super::evaluation::{Evaluation, Problem};
+use super::held::Held;
 use super::levenberg_marquardt::{Limits, Search, SearchStatus, minimise};
 use super::noise_levels;
 use super::options::{Directions, LikelihoodNoise, LikelihoodOptions};
@@ -28,7 +29,6 @@ pub(super) fn climb(
     residuals: f64,
     options: &LikelihoodOptions,
 ) -> (StartReport, Option<Climb>) {
-    let estimate_levels = matches!(options.noise, LikelihoodNoise::Estimated { .. });
     let mut variances = vec![1.0; units.len()];
     let system = scaled(start, units, &problem.layout).normalised();
     let mut evaluation = settled(problem, system, &variances);
@@ -42,13 +42,10 @@ pub(super) fn climb(
     if !evaluation.cost.is_finite() {
         return (report, None);
     }
-    let mut update = |evaluation: Evaluation, variances: &[f64]| {
-        if options.directions == Directions::AsStarted {
-            return evaluation;
-        }
-        better_directions(problem, evaluation, variances, &mut report.direction_replaced)
-    };
-    evaluation = update(evaluation, &variances);
+    if options.directions == Directions::Reestimated {
+        evaluation =
+            better_directions(problem, evaluation, &variances, &mut report.direction_replaced);
+    }
     if matches!(options.noise, LikelihoodNoise::Estimated { first_guess: None }) {
         // A first idea of the levels before anything moves, since the directions depend on their ratios.
         const BEFORE_THE_SEARCH: usize = 3;
@@ -56,8 +53,47 @@ pub(super) fn climb(
             variances = noise_levels::updated(&evaluation, &variances).0;
             evaluation = settled_again(problem, evaluation, &variances);
         }
-        evaluation = update(evaluation, &variances);
+        if options.directions == Directions::Reestimated {
+            evaluation =
+                better_directions(problem, evaluation, &variances, &mut report.direction_replaced);
+        }
     }
+    let climb = ascend(
+        problem,
+        evaluation,
+        variances,
+        residuals,
+        options,
+        None,
+        &mut report.direction_replaced,
+    );
+    report.objective = climb.objective;
+    report.search = Some(climb.search.clone());
+    let climb = climb.objective.is_finite().then_some(climb);
+    (report, climb)
+}
+
+/// Searches from here, the noise levels with it. Gives up where it will not come below the ceiling of the objective.
+pub(super) fn ascend(
+    problem: &Problem,
+    mut evaluation: Evaluation,
+    mut variances: Vec<f64>,
+    residuals: f64,
+    options: &LikelihoodOptions,
+    ceiling: Option<f64>,
+    replaced: &mut [bool],
+) -> Climb {
+    let estimate_levels = matches!(options.noise, LikelihoodNoise::Estimated { .. });
+    let mut update = |evaluation: Evaluation, variances: &[f64]| {
+        if options.directions == Directions::AsStarted {
+            return evaluation;
+        }
+        better_directions(problem, evaluation, variances, replaced)
+    };
+    // Known levels leave it as it is.
+    let determinant = |evaluation: &Evaluation| {
+        if estimate_levels { evaluation.log_determinant } else { 0.0 }
+    };
     let energy = |variances: &[f64]| -> f64 {
         let part = |spectrum: &RecordSpectrum| -> f64 {
             spectrum
@@ -87,6 +123,8 @@ pub(super) fn climb(
             step_tolerance: options.step_tolerance,
             degrees_of_freedom: (residuals - parameters).max(1.0),
             energy: energy(&variances),
+            ceiling: ceiling.map_or(f64::INFINITY, |ceiling| ceiling - determinant(&evaluation)),
+            held: None,
         };
         let found = rounds(problem, evaluation, &variances, limits, &mut update);
         evaluation = found.evaluation;
@@ -94,7 +132,7 @@ pub(super) fn climb(
         search.steps += found.steps;
         search.evaluations += found.evaluations;
         search.remaining_step = found.remaining_step;
-        let exhausted = found.status == SearchStatus::StepLimit;
+        let exhausted = matches!(found.status, SearchStatus::StepLimit | SearchStatus::GivenUp);
         if !estimate_levels || exhausted || search.level_updates >= options.largest_updates {
             break;
         }
@@ -108,15 +146,34 @@ pub(super) fn climb(
         evaluation = settled_again(problem, evaluation, &variances);
         search.evaluations += 1;
     }
-    let objective = if estimate_levels {
-        evaluation.cost + evaluation.log_determinant
-    } else {
-        evaluation.cost
+    let objective = evaluation.cost + determinant(&evaluation);
+    Climb { evaluation, variances, objective, search }
+}
+
+/// A few steps around an eigenvalue that is held; `None` where they stay above a ceiling of the cost.
+pub(super) fn around(
+    problem: &Problem,
+    start: Evaluation,
+    variances: &[f64],
+    degrees_of_freedom: f64,
+    held: Held,
+    ceiling: f64,
+) -> Option<Evaluation> {
+    // What is left after that, or below a deviation, is for the search to come.
+    const STEPS: usize = 20;
+    const STEP_TOLERANCE: f64 = 1.0;
+    let limits = Limits {
+        steps: STEPS,
+        step_tolerance: STEP_TOLERANCE,
+        degrees_of_freedom,
+        energy: 0.0,
+        ceiling,
+        held: Some(held),
     };
-    report.objective = objective;
-    report.search = Some(search.clone());
-    let climb = objective.is_finite().then_some(Climb { evaluation, variances, objective, search });
-    (report, climb)
+    let found = minimise(problem, start, variances, limits);
+    // Also false where there is no cost.
+    let below = found.evaluation.cost < ceiling;
+    below.then(|| settled_again(problem, found.evaluation, variances))
 }
 
 /// Searches in rounds, and asks between them whether the spectra now tell a better direction: from a poor start the directions are what the
@@ -209,6 +266,19 @@ fn in_own_basis(problem: &Problem, evaluation: Evaluation, variances: &[f64]) ->
     settled(problem, system, variances)
 }
 
+/// The system with the directions estimated from the spectra, where these tell any.
+pub(super) fn with_directions(problem: &Problem, system: &System, variances: &[f64]) -> System {
+    let mut candidate = system.clone();
+    for (record, spectrum) in problem.spectra.iter().enumerate() {
+        let found = direction::direction(spectrum, system, &problem.layout, variances);
+        if let Some((b, d)) = found {
+            candidate.b[record] = b;
+            candidate.d[record] = d;
+        }
+    }
+    candidate.normalised()
+}
+
 /// Takes for each record the direction estimated from the spectra where it fits better than the present one.
 fn better_directions(
     problem: &Problem,
@@ -216,15 +286,8 @@ fn better_directions(
     variances: &[f64],
     replaced: &mut [bool],
 ) -> Evaluation {
-    let mut candidate = evaluation.system.clone();
-    for (record, spectrum) in problem.spectra.iter().enumerate() {
-        let found = direction::direction(spectrum, &evaluation.system, &problem.layout, variances);
-        if let Some((b, d)) = found {
-            candidate.b[record] = b;
-            candidate.d[record] = d;
-        }
-    }
-    let trial = settled(problem, candidate.normalised(), variances);
+    let candidate = with_directions(problem, &evaluation.system, variances);
+    let trial = settled(problem, candidate, variances);
     let better: Vec<bool> = trial
         .record_costs
         .iter()

@@ -6,25 +6,24 @@ use nalgebra::{DMatrix, DVector};
 use super::climb::{Climb, settled_again};
 use super::evaluation::Problem;
 use super::options::{LikelihoodNoise, LikelihoodOptions};
+use super::search::Found;
 use super::spectrum::count;
 use super::sums::Scalars;
 use super::system::{Layout, System};
-use super::{ChiSquared, LikelihoodFit, StartReport, goodness, noise_levels, uncertainty};
+use super::{ChiSquared, LikelihoodFit, Rival, goodness, noise_levels, uncertainty};
 use crate::{ReconstructError, Record, SharedModel};
 
-#[expect(clippy::too_many_arguments, reason = "the parts of one result, put together in one place")]
 pub(super) fn conclude(
     records: &[Record],
     problem: &Problem,
-    climb: Climb,
+    found: Found,
     units: &[f64],
     residuals: f64,
     options: &LikelihoodOptions,
-    starts: Vec<StartReport>,
-    best_start: usize,
 ) -> Result<LikelihoodFit, ReconstructError> {
     let layout = &problem.layout;
     let estimated = matches!(options.noise, LikelihoodNoise::Estimated { .. });
+    let Found { climb, best_start, reports, rivals, moves } = found;
     let Climb { mut evaluation, mut variances, search, .. } = climb;
     let parameters = count(layout.identifiable() + evaluation.nuisance_rank);
     let degrees_of_freedom = (residuals - parameters).max(1.0);
@@ -93,9 +92,21 @@ pub(super) fn conclude(
         record_chi_squared,
         whiteness,
         search,
-        starts,
+        starts: reports,
         best_start,
+        moves,
+        rivals: rivals
+            .into_iter()
+            .filter_map(|(above, system)| rival(above, &system.a, period))
+            .collect(),
     })
+}
+
+/// `None` where the eigenvalues cannot be computed: then nobody can be told of them.
+fn rival(above: f64, a: &DMatrix<f64>, period: SamplePeriod) -> Option<Rival> {
+    let modes = uncertainty::modes(a, period, &DMatrix::zeros(a.len(), a.len())).ok()?;
+    let eigenvalues = modes.into_iter().map(|mode| mode.continuous.value).collect();
+    Some(Rival { above, eigenvalues })
 }
 
 fn model(system: &System, units: &[f64], layout: &Layout, period: SamplePeriod) -> SharedModel {

@@ -48,6 +48,13 @@ pub struct Whiteness {
     pub p_value: f64,
 }
 
+impl Whiteness {
+    /// The probability where the autocorrelations scatter with `factor` times the variance that the record alone gives them.
+    pub(crate) fn p_value_with_variance(&self, factor: f64) -> f64 {
+        chi_squared_survival(self.statistic / factor, count(self.degrees_of_freedom))
+    }
+}
+
 /// Lags that are tested.
 const LAGS: usize = 20;
 

@@ -10,6 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::evaluation::{Evaluation, Problem};
+use super::held::Held;
 use super::system::{Layout, System};
 
 /// How a search ended.
@@ -24,6 +25,8 @@ pub enum SearchStatus {
     Stalled,
     /// The largest number of steps was taken.
     StepLimit,
+    /// The next steps will not come near what another search has reached.
+    GivenUp,
 }
 
 /// The end of a search.
@@ -48,6 +51,10 @@ pub(super) struct Limits {
     pub(super) degrees_of_freedom: f64,
     /// The cost of explaining nothing, against which rounding errors are measured.
     pub(super) energy: f64,
+    /// The search is given up where its cost will stay above this.
+    pub(super) ceiling: f64,
+    /// An eigenvalue that stays where it is.
+    pub(super) held: Option<Held>,
 }
 
 const FIRST_DAMPING: f64 = 1e-4;
@@ -55,6 +62,9 @@ const LEAST_DAMPING: f64 = 1e-13;
 const MOST_DAMPING: f64 = 1e12;
 /// Squared relative rounding error of a residual: costs below this part of the energy mean nothing.
 const ROUNDING: f64 = 1e-26;
+
+/// A cost that is not quadratic may fall by so many times what a quadratic one would.
+const HOPE: f64 = 3.0;
 
 /// Walks downhill from `start`. Each accepted step lowers the cost.
 pub(super) fn minimise(
@@ -64,7 +74,7 @@ pub(super) fn minimise(
     limits: Limits,
 ) -> Search {
     let mut search = Search {
-        evaluation: start,
+        evaluation: held(start, &limits),
         status: SearchStatus::StepLimit,
         steps: 0,
         evaluations: 0,
@@ -80,11 +90,17 @@ pub(super) fn minimise(
             scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
         }
         let variance = (search.evaluation.cost / limits.degrees_of_freedom).max(f64::MIN_POSITIVE);
-        search.remaining_step = scaled.step(LEAST_DAMPING).map_or(f64::INFINITY, |step| {
-            (step.dot(&search.evaluation.descent).max(0.0) / variance).sqrt()
-        });
+        // What the cost would fall by, were it quadratic.
+        let gain = scaled
+            .step(LEAST_DAMPING)
+            .map_or(f64::INFINITY, |step| step.dot(&search.evaluation.descent).max(0.0));
+        search.remaining_step = (gain / variance).sqrt();
         if search.remaining_step <= limits.step_tolerance {
             search.status = SearchStatus::Converged;
+            return search;
+        }
+        if search.evaluation.cost - HOPE * gain > limits.ceiling {
+            search.status = SearchStatus::GivenUp;
             return search;
         }
         if search.steps == limits.steps {
@@ -105,6 +121,13 @@ pub(super) fn minimise(
             }
         }
     }
+}
+
+fn held(mut evaluation: Evaluation, limits: &Limits) -> Evaluation {
+    if let Some(held) = limits.held {
+        held.penalise(&mut evaluation);
+    }
+    evaluation
 }
 
 /// Updates what the Gram matrix misses, so that it explains the last change of the gradient (Dennis, Gay & Welsch 1981, eq. 3.1 to 3.3).
@@ -155,7 +178,7 @@ fn lower(
         let predicted = 2.0 * step.dot(&here.descent) - step.dot(&(&scaled.curvature * &step));
         if system.is_finite() {
             let coefficients = here.coefficients_after(&step, &problem.layout);
-            let trial = problem.evaluate(system, coefficients, variances);
+            let trial = held(problem.evaluate(system, coefficients, variances), limits);
             evaluations += 1;
             if trial.cost < here.cost {
                 let ratio = (here.cost - trial.cost) / predicted;

@@ -82,6 +82,9 @@ pub struct LikelihoodOptions {
     pub largest_steps: usize,
     /// The search ends where the next step would be shorter than this many standard deviations of the estimate. The default is 1e-3.
     pub step_tolerance: f64,
+    /// The most rounds in which the slow real modes of the best top are moved elsewhere, each followed by a search; a round that leads no higher
+    /// is the last. The default is 3; 0 trusts the starts.
+    pub largest_moves: usize,
     /// The most updates of estimated noise levels; the default is 30: it needs about 5.
     pub largest_updates: usize,
     /// The levels are final where no variance changes by more than this part. The default is 1e-3, thirty times less than the
@@ -101,6 +104,7 @@ impl Default for LikelihoodOptions {
             directions: Directions::Reestimated,
             largest_steps: 100,
             step_tolerance: 1e-3,
+            largest_moves: 3,
             largest_updates: 30,
             level_tolerance: 1e-3,
         }

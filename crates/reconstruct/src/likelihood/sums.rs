@@ -16,7 +16,7 @@ use super::spectrum::RecordSpectrum;
 use super::tables::Tables;
 
 /// Frequencies summed by one matrix product.
-const TILE: usize = 16 * WIDTH;
+const TILE: usize = 8 * WIDTH;
 
 /// What one record sees of the system: A and C with a feedback (see `feedback.rs`).
 #[derive(Debug)]

@@ -1,6 +1,11 @@
 //! Why a reconstruction should not be trusted: what the stages doubt themselves, and what shows only when their answers are compared.
 
-use crate::{Doubt, Intersection, LikelihoodFit, NoiseOrigin, Record, SearchStatus, SubspaceDoubt};
+use num_complex::Complex;
+
+use crate::{
+    Doubt, Intersection, LikelihoodFit, ModeEstimate, NoiseModel, NoiseOrigin, Record,
+    SearchStatus, SubspaceDoubt,
+};
 
 /// A reason to doubt a [`Reconstruction`](crate::Reconstruction). Each can be printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +59,13 @@ pub enum ReconstructionDoubt {
         /// Its noise level from the likelihood.
         likelihood: f64,
     },
+    /// Another system explains the records nearly as well.
+    AnotherSystem {
+        /// How many times as likely the one that was found is.
+        likelihood_ratio: f64,
+        /// The other one's eigenvalues in 1/s, a complex pair once.
+        eigenvalues: Vec<Complex<f64>>,
+    },
     /// Records so short that deviations and intervals, which hold to first order, mean little.
     TooShort {
         /// Residuals less parameters.
@@ -101,6 +113,15 @@ impl std::fmt::Display for ReconstructionDoubt {
                 "sensor {sensor}: one excitation for each record leaves noise of {likelihood:.2e}, the signal subspaces show {subspace:.2e}: \
                  more than one excitation in a record, or too low an order"
             ),
+            Self::AnotherSystem { likelihood_ratio, eigenvalues } => {
+                let list: Vec<_> = eigenvalues.iter().map(|s| eigenvalue(*s)).collect();
+                write!(
+                    f,
+                    "another system explains the records nearly as well (the one found is {likelihood_ratio:.1} times as likely): its eigenvalues are {} 1/s; longer \
+                     records or less noise tell them apart",
+                    list.join(", ")
+                )
+            }
             Self::TooShort { degrees_of_freedom, parameters } => write!(
                 f,
                 "the records are short: {degrees_of_freedom:.0} degrees of freedom for {parameters} parameters, so that intervals mean little"
@@ -111,6 +132,11 @@ impl std::fmt::Display for ReconstructionDoubt {
             ),
         }
     }
+}
+
+/// `-0.1 + 1.7j`, or the real part alone; the imaginary part of a pair is the positive one.
+fn eigenvalue(s: Complex<f64>) -> String {
+    if s.im > 0.0 { format!("{:.4} + {:.4}j", s.re, s.im) } else { format!("{:.4}", s.re) }
 }
 
 /// What happens to one record in ten thousand by chance is not doubted.
@@ -132,15 +158,19 @@ pub(super) fn doubts(
     first: &Intersection,
     mut doubts: Vec<ReconstructionDoubt>,
     fit: &LikelihoodFit,
+    noise: &NoiseModel,
 ) -> Vec<ReconstructionDoubt> {
-    // The second stage has levels and directions of its own.
-    doubts.retain(|doubt| {
-        !matches!(
-            doubt,
-            ReconstructionDoubt::Subspace(
-                SubspaceDoubt::NoiseNotConverged { .. } | SubspaceDoubt::UncertainDirection { .. }
-            )
-        )
+    // The second stage has levels and directions of its own, and among disturbances a better idea of what is excited.
+    let quiet = matches!(noise, NoiseModel::Quiet(_));
+    doubts.retain(|doubt| match doubt {
+        ReconstructionDoubt::Subspace(doubt) => match doubt {
+            SubspaceDoubt::NoiseNotConverged { .. } | SubspaceDoubt::UncertainDirection { .. } => {
+                false
+            }
+            SubspaceDoubt::HardlyExcited { pole, .. } => !(quiet && is_determined(*pole, fit)),
+            _ => true,
+        },
+        _ => true,
     });
     doubts.extend(of_search(fit));
     if first.noise.origin == NoiseOrigin::Rounding {
@@ -148,9 +178,21 @@ pub(super) fn doubts(
         return doubts;
     }
     doubts.extend(of_size(records, fit));
-    for whiteness in fit.whiteness.iter().filter(|whiteness| whiteness.p_value < IMPROBABLE) {
-        let (record, p_value) = (whiteness.record.clone(), whiteness.p_value);
-        doubts.push(ReconstructionDoubt::ResidualsNotWhite { record, p_value });
+    for (record, whiteness) in records.iter().zip(&fit.whiteness) {
+        let p_value = match noise {
+            NoiseModel::Quiet(quiet) => whiteness.p_value_with_variance(with_quiet(record, quiet)),
+            _ => whiteness.p_value,
+        };
+        if p_value < IMPROBABLE {
+            let record = whiteness.record.clone();
+            doubts.push(ReconstructionDoubt::ResidualsNotWhite { record, p_value });
+        }
+    }
+    for rival in &fit.rivals {
+        doubts.push(ReconstructionDoubt::AnotherSystem {
+            likelihood_ratio: (0.5 * rival.above).exp(),
+            eigenvalues: rival.eigenvalues.clone(),
+        });
     }
     if let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels) {
         let channels = records[0].channels().iter();
@@ -162,6 +204,27 @@ pub(super) fn doubts(
         }
     }
     doubts
+}
+
+/// A mode whose deviation is below this part of its size is excited enough.
+const DETERMINED: f64 = 0.3;
+
+/// Whether the likelihood knows the mode that the first stage has at z.
+fn is_determined(z: Complex<f64>, fit: &LikelihoodFit) -> bool {
+    let upper = Complex::new(z.re, z.im.abs());
+    let distance = |mode: &&ModeEstimate| (mode.discrete.value - upper).norm();
+    let closest = fit.modes.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    closest.is_some_and(|mode| {
+        let deviation = mode.continuous.covariance.trace().sqrt();
+        deviation < DETERMINED * mode.continuous.value.norm()
+    })
+}
+
+/// What a spectrum from a quiet record adds to the variance of autocorrelations: it is as uncertain as that record is short.
+fn with_quiet(record: &Record, quiet: &Record) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
+    let ratio = record.samples() as f64 / quiet.samples() as f64;
+    1.0 + ratio
 }
 
 fn of_search(fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {

@@ -19,11 +19,19 @@ pub(super) struct FirstStage {
     pub(super) starts: Vec<SharedModel>,
 }
 
+/// Beside a gap of this size nothing else counts: gaps of orders that are too high stay below its root, and that far above the noise
+/// one number of block rows starts the likelihood as well as three.
+const CLEAR_GAP: f64 = 1000.0;
+
+/// Where disturbances are as large as the response, which number of block rows comes close is hard to foresee; these parts of the rule's start the
+/// likelihood, too.
+const FOR_DISTURBANCES: [(usize, usize); 4] = [(1, 5), (1, 4), (3, 8), (3, 4)];
+
 /// Intersections with the block rows of the rule, half and one and a half times as many, where the records allow them.
 ///
 /// A gap that noise makes appears with one number of block rows, the one at the true order with all of them: the geometric mean of an order's
-/// gaps decides. Which number comes closest to the system differs from record to record, too; the likelihood sorts that out. Records without noise, and
-/// a number that was asked for, need no other.
+/// gaps decides. Which number comes closest to the system differs from record to record, too; the likelihood sorts that out. Records without noise or with
+/// a clear gap, and a number that was asked for, need no other.
 pub(super) fn first_stage(
     records: &[Record],
     options: &Options,
@@ -31,7 +39,9 @@ pub(super) fn first_stage(
     let own = options.subspace();
     let mut first = intersect(records, &own)?;
     let (mut order, mut starts) = (first.order.clone(), Vec::new());
-    if options.block_rows.is_none() && first.noise.origin != NoiseOrigin::Rounding {
+    let quiet = matches!(options.noise, NoiseModel::Quiet(_));
+    let clear = first.noise.origin == NoiseOrigin::Rounding || (order.gap >= CLEAR_GAP && !quiet);
+    if options.block_rows.is_none() && !clear {
         let mut other = own.clone();
         if options.noise == NoiseModel::Estimated {
             other.noise = NoiseModel::Levels(first.noise.deviations.clone());
@@ -64,6 +74,11 @@ pub(super) fn first_stage(
             usable
         });
         starts.extend(others.into_iter().map(|intersection| intersection.model));
+        if quiet {
+            let rows = |(part, of)| first.block_rows * part / of;
+            let more = FOR_DISTURBANCES.into_iter().filter_map(|part| found(&other, rows(part)));
+            starts.extend(more.map(|intersection| intersection.model));
+        }
     }
     starts.insert(0, first.model.clone());
     let doubts = doubts(&first, &order);

@@ -46,7 +46,9 @@ fn noisy_records_give_modes_levels_and_no_doubt() {
         assert!(found.excitations.iter().all(|excitation| excitation.rank == 1));
         assert!(found.goodness.unwrap().p_value.is_none());
         let starts = &found.likelihood.as_ref().unwrap().starts;
-        assert_eq!(starts.len(), 3, "{name}");
+        // A clear gap needs no other number of block rows.
+        let clear = found.order.as_ref().unwrap().gap > 1000.0;
+        assert_eq!(starts.len(), if clear { 1 } else { 3 }, "{name}");
     }
 }
 
