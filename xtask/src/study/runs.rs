@@ -7,8 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use super::case::Case;
-use super::outcome::{EDITION, Outcome};
+use super::noise::{Case, EDITION, Outcome};
 use crate::TaskError;
 
 /// The outcomes of all cases, in the order of the cases: those in `file`, and those of `run`, which are added to it.

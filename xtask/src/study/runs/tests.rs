@@ -1,7 +1,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::*;
-use crate::study::case::cases;
+use crate::study::noise::cases;
 
 fn outcome(case: &Case) -> Outcome {
     Outcome {

@@ -1,6 +1,6 @@
 use super::*;
-use crate::study::case::{Case, cases};
-use crate::study::outcome::{EDITION, Likelihood};
+use crate::study::noise::case::{Case, cases};
+use crate::study::noise::outcome::{EDITION, Likelihood};
 
 fn fit(error: f64, chi_squared: f64) -> Likelihood {
     Likelihood {

@@ -12,9 +12,9 @@ use reconstruct::{
 
 use super::case::Case;
 use super::flights::{Pair, Simulator, TrueModes};
-use super::matching::{apart, assigned, nearest};
 use super::outcome::{EDITION, LOST, Likelihood, Outcome, PerMode};
 use crate::TaskError;
+use crate::study::matching::{apart, assigned, nearest};
 
 const PART: &str = "study";
 /// The aircraft has four states. They are given, so that errors of all runs can be compared; what the gap says is counted apart.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::study::case::Excitation;
+use crate::study::noise::case::Excitation;
 
 #[test]
 fn a_pair_stands_for_two_real_modes() {
