@@ -1,0 +1,10 @@
+use super::*;
+
+#[test]
+fn middle_and_bins() {
+    assert!((median(&[3.0, 1.0, 2.0]) - 2.0).abs() < 1e-15);
+    assert!((median(&[4.0, 1.0, 2.0, 3.0]) - 2.5).abs() < 1e-15);
+    assert!(median(&[]).is_nan());
+    let bins = histogram(&[-9.0, -0.5, 0.0, 0.5, 9.0], (-1.0, 1.0), 2);
+    assert_eq!(bins, [(-1.0, 0.0, 0.4), (0.0, 1.0, 0.6)]);
+}
