@@ -2,13 +2,14 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `noise.rs` | the study: what is varied, how records are made, what is asked of the methods, what is written |
+//! | `noise.rs`, `disturbance.rs` | the studies: what is varied, how records are made, what is asked of the methods, what is written |
 //! | `campaign.rs`, `runs.rs` | from the command line through all runs to a page; what every study does alike |
 //! | `signals.rs`, `readings.rs`, `modes.rs` | random signals; records with noise; the modes that a method is to find |
 //! | `matching.rs`, `verdict.rs`, `averages.rs` | which eigenvalue stands for which mode, how far off it is, what many runs say |
 
 mod averages;
 mod campaign;
+mod disturbance;
 pub(crate) mod look;
 mod matching;
 pub(crate) mod modes;
@@ -28,6 +29,7 @@ pub(crate) use runs::in_parallel;
 
 use crate::TaskError;
 use campaign::Extent;
+use disturbance::DisturbanceStudy;
 use noise::NoiseStudy;
 
 /// Try the methods on many records.
@@ -42,10 +44,15 @@ pub(crate) struct Args {
 enum Study {
     /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
     Noise(Extent),
+    /// Errors, fit, coverage and doubts in gusts of four strengths, with and without a quiet record.
+    Disturbance(Extent),
 }
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {
     match &args.study {
         Study::Noise(extent) => campaign::carry_out(&NoiseStudy::new()?, root, extent, out),
+        Study::Disturbance(extent) => {
+            campaign::carry_out(&DisturbanceStudy::new()?, root, extent, out)
+        }
     }
 }
