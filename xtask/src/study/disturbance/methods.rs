@@ -52,6 +52,7 @@ pub(crate) fn run(simulator: &Simulator, case: &Case) -> Result<Outcome, TaskErr
     Ok(Outcome {
         edition: Outcome::EDITION,
         case: *case,
+        true_start: judged(&from_truth, &[], &truth),
         true_spectrum: judged(&at_best, &[], &truth),
         inputs_known: eigenvalues.and_then(|found| eigenvalue_errors(&found, &truth)),
         bound: bound(&flight, &system, &truth)?,

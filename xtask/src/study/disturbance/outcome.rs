@@ -15,6 +15,8 @@ pub(crate) struct Outcome {
     pub(crate) alone: Both,
     /// With the quiet record.
     pub(crate) quiet: Both,
+    /// Maximum likelihood with the quiet record, from the true system: what a perfect start would give.
+    pub(crate) true_start: Option<Likelihood>,
     /// Maximum likelihood with the true spectrum, from the true system: what a quiet record without an end would give.
     pub(crate) true_spectrum: Option<Likelihood>,
     /// Errors of the regression that knows the controls.
