@@ -41,6 +41,15 @@ pub(crate) fn median(values: &[f64]) -> f64 {
     }
 }
 
+/// The value that this part of all values does not exceed, none between two; not a number where there is none.
+pub(crate) fn quantile(values: &[f64], part: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let place =
+        sorted.iter().enumerate().find(|(below, _)| count(below + 1) >= part * count(values.len()));
+    place.map_or(f64::NAN, |(_, value)| *value)
+}
+
 /// Density in bins of equal width between two ends; what lies beyond counts in the outermost bins. (left end, right end, density)
 pub(crate) fn histogram(values: &[f64], ends: (f64, f64), bins: u32) -> Vec<(f64, f64, f64)> {
     let width = (ends.1 - ends.0) / f64::from(bins);

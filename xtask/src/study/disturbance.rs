@@ -1,10 +1,14 @@
 //! `cargo xtask study disturbance`: what gusts do to the methods, with and without a quiet record that shows their spectrum.
 
 mod case;
+mod document;
+mod figures;
 mod flights;
 mod inputs_known;
 mod methods;
 mod outcome;
+mod statistics;
+mod tables;
 mod turbulence;
 
 use report::Document;
@@ -46,7 +50,7 @@ impl Campaign for DisturbanceStudy {
         seeds: u64,
         command: &str,
     ) -> Result<Document, TaskError> {
-        let _ = (outcomes, seeds, command);
-        Ok(Document::new("Study: disturbances"))
+        let sizes = self.simulator.modes().list().map(num_complex::Complex::norm);
+        document::compose(&statistics::summaries(outcomes, sizes), sizes, seeds, command)
     }
 }
