@@ -17,11 +17,15 @@ const SHOWN: [(usize, Look); 4] = [
     (6, (ESTIMATES[6], Ink::Orange, Dash::DashDot, Marker::Triangle)),
 ];
 
+/// The median size of a normal error over its deviation: of a real number, and of a complex one with equal parts, sqrt(ln 2).
+const NORMAL_MEDIAN: [f64; 3] =
+    [0.674_489_750_196_082, 0.674_489_750_196_082, 0.832_554_611_157_698];
+
 /// Errors against the size of the gusts: a row for each excitation, a column for each mode.
 pub(crate) fn errors(summaries: &[Summary]) -> Figure {
-    let caption = "Median error of maximum likelihood without and with a quiet record and with the true spectrum, of the regression that knows the controls, and \
-                   0.67 of the information bound, the median of a normal distribution of that deviation (for the Dutch roll, with two parts, it may lie up to a quarter \
-                   higher).";
+    let caption = "Median error of maximum likelihood without and with a quiet record and with the true spectrum, and of the regression that knows the controls. At the \
+                   information bound it would be about the black line: the median of the bound's deviations, times 0.67 for a real mode and 0.83 for the \
+                   two parts of the Dutch roll.";
     let mut figure =
         Figure::new("study-disturbance-errors", "Error against the size of the gusts", caption)
             .columns(3);
@@ -38,7 +42,9 @@ pub(crate) fn errors(summaries: &[Summary]) -> Figure {
                     panel = panel.with(Line::new(label, dash, points).ink(ink).marker(marker));
                 }
             }
-            let bound = of(summaries, excitation, |summary| Some(0.674 * summary.bound[mode]));
+            let bound = of(summaries, excitation, |summary| {
+                Some(NORMAL_MEDIAN[mode] * summary.middle_bound[mode])
+            });
             figure = figure.with(
                 panel.with(Line::new("information bound", Dash::LongDash, bound).ink(Ink::Black)),
             );

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::case::Excitation;
 use super::outcome::{Likelihood, Outcome, Subspace};
-use crate::study::averages::{MethodSummary, count, quantile, root_mean_square};
+use crate::study::averages::{MethodSummary, count, median, quantile, root_mean_square};
 use crate::study::modes::PerMode;
 use crate::study::verdict::LOST;
 
@@ -27,6 +27,8 @@ pub(crate) struct Summary {
     pub(crate) errors: [MethodSummary; 7],
     /// The information bound as a standard deviation: spiral, roll, Dutch roll.
     pub(crate) bound: PerMode,
+    /// Its median.
+    pub(crate) middle_bound: PerMode,
     /// In the order of [`FITS`].
     pub(crate) fits: [Fits; 4],
     /// In the order of [`RESULTS`].
@@ -125,6 +127,9 @@ fn summary(kind: Kind, outcomes: &[Outcome], sizes: PerMode) -> Summary {
         bound: [0, 1, 2].map(|mode| {
             let sum: f64 = outcomes.iter().map(|run| run.bound[mode]).sum();
             (sum / count(outcomes.len())).sqrt()
+        }),
+        middle_bound: [0, 1, 2].map(|mode| {
+            median(&outcomes.iter().map(|run| run.bound[mode].sqrt()).collect::<Vec<_>>())
         }),
         fits: [0, 1, 2, 3].map(|which| fits_of(&likelihoods[which])),
         trust: [closed(0), likely(0), closed(1), likely(1)],
