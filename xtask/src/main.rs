@@ -1,4 +1,4 @@
-//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise, keep the tree tidy.
+//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise and disturbances, keep the tree tidy.
 
 mod bench;
 mod error;

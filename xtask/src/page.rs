@@ -10,9 +10,9 @@ use crate::TaskError;
 /// A document and where it belongs.
 pub(crate) struct Page<'a> {
     /// Name of the Markdown file.
-    pub(crate) file: &'static str,
+    pub(crate) file: &'a str,
     /// What writes it, for whoever opens the file.
-    pub(crate) command: &'static str,
+    pub(crate) command: &'a str,
     pub(crate) document: &'a Document,
 }
 

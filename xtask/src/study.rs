@@ -1,29 +1,36 @@
-//! `cargo xtask study`: what the methods are worth on many records with noise, beside the information bound.
+//! `cargo xtask study`: what the methods are worth on many records.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `noise.rs`, `disturbance.rs` | the studies: what is varied, how records are made, what is asked of the methods, what is written |
+//! | `campaign.rs`, `runs.rs` | from the command line through all runs to a page; what every study does alike |
+//! | `signals.rs`, `readings.rs`, `modes.rs` | random signals; records with noise; the modes that a method is to find |
+//! | `matching.rs`, `verdict.rs`, `averages.rs` | which eigenvalue stands for which mode, how far off it is, what many runs say |
 
-mod case;
-mod document;
-mod figures;
-pub(crate) mod flights;
+mod averages;
+mod campaign;
+mod disturbance;
+pub(crate) mod look;
 mod matching;
-pub(crate) mod methods;
-mod outcome;
+pub(crate) mod modes;
+pub(crate) mod noise;
+mod readings;
 mod runs;
-mod statistics;
+mod signals;
+pub(crate) mod verdict;
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Subcommand;
-use indicatif::{ProgressBar, ProgressStyle};
 
-pub(crate) use case::Excitation;
-pub(crate) use figures::{Look, METHODS, MODES, RATIO_AXIS};
+pub(crate) use averages::median;
 pub(crate) use runs::in_parallel;
-pub(crate) use statistics::median;
 
 use crate::TaskError;
-use crate::page::{Page, Pictures};
-use flights::Simulator;
+use campaign::Extent;
+use disturbance::DisturbanceStudy;
+use noise::NoiseStudy;
 
 /// Try the methods on many records.
 #[derive(Debug, clap::Args)]
@@ -35,97 +42,17 @@ pub(crate) struct Args {
 
 #[derive(Debug, Subcommand)]
 enum Study {
-    Noise(NoiseArgs),
-}
-
-/// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
-#[derive(Debug, clap::Args)]
-struct NoiseArgs {
-    /// A few seeds only, and all of them anew: whether everything runs.
-    #[arg(long, conflicts_with_all = ["seeds", "update"])]
-    quick: bool,
-
-    /// Pairs of records for each excitation and level of noise. More seeds go on where fewer ended.
-    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..=100_000))]
-    seeds: u64,
-
-    /// Threads; the result does not depend on them [default: all cores].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-
-    /// Where to keep the runs and write study-noise.md and its figures. Finished runs in it are not repeated [default: target/study].
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-
-    /// Also rewrite docs/study-noise.md and its figures.
-    #[arg(long)]
-    update: bool,
-}
-
-impl NoiseArgs {
-    fn seeds(&self) -> u64 {
-        const QUICK: u64 = 3;
-        if self.quick { QUICK } else { self.seeds }
-    }
-
-    fn threads(&self) -> usize {
-        self.threads.map_or_else(
-            || std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-            usize::from,
-        )
-    }
-
-    /// Where finished runs are kept, within the folder.
-    fn file(&self) -> &'static str {
-        if self.quick { "noise-quick.jsonl" } else { "noise.jsonl" }
-    }
-
-    /// The command that makes the same document.
-    fn command(&self) -> String {
-        let seeds =
-            if self.quick { " --quick".to_owned() } else { format!(" --seeds {}", self.seeds) };
-        let update = if self.update { " --update" } else { "" };
-        format!("cargo xtask study noise{seeds}{update}")
-    }
+    /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
+    Noise(Extent),
+    /// Errors, fit, coverage and doubts in gusts of four strengths, with and without a quiet record.
+    Disturbance(Extent),
 }
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {
-    let Study::Noise(args) = &args.study;
-    let folder = args.out.clone().unwrap_or_else(|| root.join("target/study"));
-    std::fs::create_dir_all(&folder).map_err(|source| TaskError::io(&folder, source))?;
-    let cases = case::cases(args.seeds());
-    let bar = ProgressBar::new(cases.len() as u64).with_style(
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} left {eta}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
-    let simulator = Simulator::new()?;
-    let file = folder.join(args.file());
-    if args.quick && file.exists() {
-        std::fs::remove_file(&file).map_err(|source| TaskError::io(&file, source))?;
+    match &args.study {
+        Study::Noise(extent) => campaign::carry_out(&NoiseStudy::new()?, root, extent, out),
+        Study::Disturbance(extent) => {
+            campaign::carry_out(&DisturbanceStudy::new()?, root, extent, out)
+        }
     }
-    let outcomes = runs::collect(
-        &cases,
-        &file,
-        args.threads(),
-        |case| methods::run(&simulator, case),
-        |done| bar.set_position(done as u64),
-    )?;
-    bar.finish_and_clear();
-    let summaries = statistics::summaries(&outcomes);
-    let document = document::compose(&summaries, args.seeds(), &args.command())?;
-    let page = Page {
-        file: "study-noise.md",
-        command: "cargo xtask study noise --update",
-        document: &document,
-    };
-    page.write(&folder, "", Pictures::Both)?;
-    if args.update {
-        page.write(&root.join("docs"), "figures", Pictures::Vector)?;
-    }
-    let text =
-        format!("written to {}: {}, study-noise.md, figures\n", folder.display(), args.file());
-    out.write_all(text.as_bytes()).map_err(|source| TaskError::io("standard output", source))
 }
-
-#[cfg(test)]
-mod tests;

@@ -11,9 +11,13 @@ use super::check::Check;
 use super::flight::Flight;
 use super::{Part, reference};
 use crate::TaskError;
-use crate::study::flights::{Pair, Simulator, TrueModes};
-use crate::study::methods::{apply, holds_in_ellipse, most_likely, printed_errors};
-use crate::study::{Excitation, Look, METHODS, MODES, RATIO_AXIS, in_parallel, median};
+use crate::study::look::Look;
+use crate::study::modes::{MODES, TrueModes};
+use crate::study::noise::flights::{Pair, Simulator};
+use crate::study::noise::methods::{apply, most_likely, printed_errors};
+use crate::study::noise::{Excitation, METHODS, RATIO_AXIS};
+use crate::study::verdict::holds_in_ellipse;
+use crate::study::{in_parallel, median};
 
 const PART: &str = "beyond the paper";
 /// Decades from hardly any noise to what cheap sensors have.

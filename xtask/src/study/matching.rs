@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use super::flights::TrueModes;
+use super::modes::TrueModes;
 
 /// For spiral, roll and Dutch roll the index of the eigenvalue that stands for it: each another one, the sum of the distances as small as
 /// possible. `None` where there are not three. A complex pair may be given once or as both.

@@ -7,22 +7,34 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use super::case::Case;
-use super::outcome::{EDITION, Outcome};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
 use crate::TaskError;
 
+/// What a run leaves behind: a line of JSON that says what it belongs to.
+pub(super) trait Kept: Serialize + DeserializeOwned + Send {
+    /// What was varied.
+    type Case: Copy + Ord + Send + Sync;
+    /// Changes whenever the records or the methods change, so that no study mixes old and new runs.
+    const EDITION: u32;
+
+    fn edition(&self) -> u32;
+    fn case(&self) -> Self::Case;
+}
+
 /// The outcomes of all cases, in the order of the cases: those in `file`, and those of `run`, which are added to it.
-pub(crate) fn collect(
-    cases: &[Case],
+pub(super) fn collect<O: Kept>(
+    cases: &[O::Case],
     file: &Path,
     threads: usize,
-    run: impl Fn(&Case) -> Result<Outcome, TaskError> + Sync,
+    run: impl Fn(&O::Case) -> Result<O, TaskError> + Sync,
     finished: impl Fn(usize) + Sync,
-) -> Result<Vec<Outcome>, TaskError> {
+) -> Result<Vec<O>, TaskError> {
     let fault = |source| TaskError::io(file, source);
-    let mut outcomes = kept(file)?;
+    let mut outcomes = kept::<O>(file)?;
     outcomes.retain(|case, _| cases.contains(case));
-    let open: Vec<Case> =
+    let open: Vec<O::Case> =
         cases.iter().copied().filter(|case| !outcomes.contains_key(case)).collect();
     finished(outcomes.len());
     let sink = Mutex::new((appendable(file).map_err(fault)?, outcomes, None));
@@ -88,16 +100,16 @@ pub(crate) fn in_parallel<T: Sync, R: Send>(items: &[T], run: impl Fn(&T) -> R +
 }
 
 /// What an earlier run left. Lines of another edition and half a line at the end don't count.
-fn kept(file: &Path) -> Result<BTreeMap<Case, Outcome>, TaskError> {
+fn kept<O: Kept>(file: &Path) -> Result<BTreeMap<O::Case, O>, TaskError> {
     let text = match std::fs::read(file) {
         Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
         Err(error) => return Err(TaskError::io(file, error)),
     };
-    let lines = text.lines().filter_map(|line| serde_json::from_str::<Outcome>(line).ok());
+    let lines = text.lines().filter_map(|line| serde_json::from_str::<O>(line).ok());
     Ok(lines
-        .filter(|outcome| outcome.edition == EDITION)
-        .map(|outcome| (outcome.case, outcome))
+        .filter(|outcome| outcome.edition() == O::EDITION)
+        .map(|outcome| (outcome.case(), outcome))
         .collect())
 }
 

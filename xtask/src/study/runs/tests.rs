@@ -1,18 +1,38 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use serde::Deserialize;
+
 use super::*;
-use crate::study::case::cases;
+
+/// Number and seed, 16 of each seed.
+type Case = (u32, u64);
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Outcome {
+    edition: u32,
+    case: Case,
+    values: [f64; 3],
+}
+
+impl Kept for Outcome {
+    type Case = Case;
+    const EDITION: u32 = 1;
+
+    fn edition(&self) -> u32 {
+        self.edition
+    }
+
+    fn case(&self) -> Case {
+        self.case
+    }
+}
+
+fn cases(seeds: u64) -> Vec<Case> {
+    (1..=seeds).flat_map(|seed| (0..16).map(move |number| (number, seed))).collect()
+}
 
 fn outcome(case: &Case) -> Outcome {
-    Outcome {
-        edition: EDITION,
-        case: *case,
-        as_printed: None,
-        subspace: Some([0.1, 0.2, 1.0 / 3.0]),
-        order_found: Some(4),
-        likelihood: None,
-        bound: [case.seed as f64, 0.0, 1e-300],
-    }
+    Outcome { edition: 1, case: *case, values: [1.0 / 3.0, 1e-300, case.1 as f64] }
 }
 
 #[test]
@@ -52,14 +72,14 @@ fn the_first_fault_ends_the_study() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("runs.jsonl");
     let run = |case: &Case| {
-        if case.seed == 2 {
+        if case.1 == 2 {
             return Err(TaskError::computation("study")("seed 2"));
         }
         Ok(outcome(case))
     };
     let error = collect(&cases(3), &file, 1, run, |_| ()).unwrap_err();
     assert_eq!(error.to_string(), "study: seed 2");
-    assert_eq!(kept(&file).unwrap().len(), 16);
+    assert_eq!(kept::<Outcome>(&file).unwrap().len(), 16);
 }
 
 #[test]

@@ -1,3 +1,5 @@
+use num_complex::Complex;
+
 use super::*;
 
 fn simulator() -> Simulator {
@@ -63,18 +65,6 @@ fn seeds_and_surfaces_have_noise_of_their_own() {
 }
 
 #[test]
-fn the_multistep_is_three_two_one_one() {
-    let signal = multistep(300);
-    let runs: Vec<(f64, usize)> = signal
-        .as_slice()
-        .chunk_by(|a, b| (a - b).abs() < 0.5)
-        .map(|run| (run[0], run.len()))
-        .collect();
-    let expected = [(0.0, 10), (1.0, 21), (-1.0, 14), (1.0, 7), (-1.0, 7), (0.0, 241)];
-    assert_eq!(runs, expected);
-}
-
-#[test]
 fn the_low_pass_filter_halves_power_at_its_corner() {
     // An aircraft that shows its surface: x' = -w x + w u far faster than the filter.
     let fast = 1e6;
@@ -96,22 +86,4 @@ fn the_low_pass_filter_halves_power_at_its_corner() {
     assert!((gain(CORNER_RAD_S) - 0.5_f64.sqrt()).abs() < 1e-4);
     // Fourth order: 1 / sqrt(1 + 5^8).
     assert!((gain(5.0 * CORNER_RAD_S) * (1.0 + 5.0_f64.powi(8)).sqrt() - 1.0).abs() < 1e-3);
-}
-
-#[test]
-fn the_autoregression_remembers() {
-    let mut random = stream(5, 0);
-    let signal = autoregressive(normal(1, 20_000, &mut random));
-    let sum = |lag: usize| (lag..20_000).map(|k| signal[k] * signal[k - lag]).sum::<f64>();
-    assert!((sum(0) / 20_000.0 - 1.0).abs() < 0.1);
-    assert!((sum(1) / sum(0) - 0.9).abs() < 0.02);
-}
-
-#[test]
-fn modes_are_told_apart() {
-    let modes = simulator().modes();
-    assert!((modes.spiral.re + 0.0016).abs() < 1e-4);
-    assert!((modes.roll.re + 0.5456).abs() < 1e-4);
-    assert!((modes.dutch_roll - Complex::new(-0.0706, 1.6917)).norm() < 1e-4);
-    assert!(told_apart(&[Complex::new(1.0, 0.0)]).is_err());
 }

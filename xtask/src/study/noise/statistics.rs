@@ -1,8 +1,10 @@
 //! What many runs of one kind say together.
 
 use super::case::Excitation;
-use super::flights::count;
-use super::outcome::{LOST, Outcome, PerMode};
+use super::outcome::Outcome;
+use crate::study::averages::{MethodSummary, count, root_mean_square};
+use crate::study::modes::PerMode;
+use crate::study::verdict::LOST;
 
 /// A kind of record: an excitation and a signal to noise ratio.
 pub(crate) type Kind = (Excitation, u32);
@@ -30,16 +32,6 @@ pub(crate) struct Summary {
     pub(crate) right_order: usize,
 }
 
-/// The errors of one method.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct MethodSummary {
-    /// Root mean square error in 1/s; `None` where no run gave anything.
-    pub(crate) rms: Option<PerMode>,
-    pub(crate) median: Option<PerMode>,
-    /// Runs that gave nothing.
-    pub(crate) failed: usize,
-}
-
 /// Above this a fit leaves more than noise unexplained.
 pub(crate) const BAD_FIT: f64 = 1.1;
 
@@ -54,16 +46,6 @@ pub(crate) fn summaries(outcomes: &[Outcome]) -> Vec<Summary> {
 
 fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
     let fits: Vec<_> = outcomes.iter().filter_map(|run| run.likelihood.as_ref()).collect();
-    let collected = |errors: Vec<Option<PerMode>>| {
-        let failed = errors.iter().filter(|errors| errors.is_none()).count();
-        let errors: Vec<PerMode> = errors.into_iter().flatten().collect();
-        let of = |part: fn(&[f64]) -> f64| {
-            (!errors.is_empty()).then(|| {
-                [0, 1, 2].map(|mode| part(&errors.iter().map(|run| run[mode]).collect::<Vec<_>>()))
-            })
-        };
-        MethodSummary { rms: of(root_mean_square), median: of(median), failed }
-    };
     let scores = |parts: &[usize]| {
         fits.iter()
             .flat_map(|fit| parts.iter().map(|part| fit.scores[*part]))
@@ -75,9 +57,9 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
         kind,
         runs: outcomes.len(),
         methods: [
-            collected(outcomes.iter().map(|run| run.as_printed).collect()),
-            collected(outcomes.iter().map(|run| run.subspace).collect()),
-            collected(
+            MethodSummary::of(outcomes.iter().map(|run| run.as_printed).collect()),
+            MethodSummary::of(outcomes.iter().map(|run| run.subspace).collect()),
+            MethodSummary::of(
                 outcomes.iter().map(|run| run.likelihood.as_ref().map(|fit| fit.errors)).collect(),
             ),
         ],
@@ -109,36 +91,6 @@ impl Summary {
     pub(crate) fn score_deviation(&self) -> PerMode {
         [0, 1, 2].map(|mode| root_mean_square(&self.scores[mode]))
     }
-}
-
-pub(crate) fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|value| value * value).sum::<f64>() / count(values.len())).sqrt()
-}
-
-/// The middle value, or the mean of the two in the middle; not a number where there is none.
-pub(crate) fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match sorted.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => sorted[n / 2],
-        n => f64::midpoint(sorted[n / 2 - 1], sorted[n / 2]),
-    }
-}
-
-/// Density in bins of equal width between two ends; what lies beyond counts in the outermost bins. (left end, right end, density)
-pub(crate) fn histogram(values: &[f64], ends: (f64, f64), bins: u32) -> Vec<(f64, f64, f64)> {
-    let width = (ends.1 - ends.0) / f64::from(bins);
-    (0..bins)
-        .map(|bin| {
-            let left = ends.0 + width * f64::from(bin);
-            let right = left + width;
-            let inside =
-                |value: f64| (value >= left || bin == 0) && (value < right || bin + 1 == bins);
-            let number = values.iter().filter(|value| inside(**value)).count();
-            (left, right, count(number) / (count(values.len().max(1)) * width))
-        })
-        .collect()
 }
 
 #[cfg(test)]

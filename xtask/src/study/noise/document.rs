@@ -3,10 +3,12 @@
 use report::{Block, Column, Document, Table, format_significant};
 
 use super::case::Excitation;
-use super::figures::{self, METHODS, MODES, present};
-use super::statistics::{BAD_FIT, Summary, root_mean_square};
+use super::figures::{self, METHODS, present};
+use super::statistics::{BAD_FIT, Summary};
 use crate::TaskError;
 use crate::bench::row::{Asked, Row, asked_and_reached};
+use crate::study::averages::root_mean_square;
+use crate::study::modes::MODES;
 
 /// The whole document. `command` is what was typed.
 pub(crate) fn compose(

@@ -1,20 +1,21 @@
 //! One run: the methods on one pair of records, and what the records allow at best.
 
 use lti::{Transmissibility, z_to_s};
-use nalgebra::Vector2;
-use num_complex::Complex;
 use poly::Poly;
 use reconstruct::{
-    ComplexEstimate, Directions, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions,
-    Method, ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel,
+    Directions, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method,
+    ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel,
     difference_zeros, maximise, reconstruct,
 };
 
 use super::case::Case;
-use super::flights::{Pair, Simulator, TrueModes};
-use super::matching::{apart, assigned, nearest};
-use super::outcome::{EDITION, LOST, Likelihood, Outcome, PerMode};
+use super::flights::{Pair, Simulator};
+use super::outcome::{Likelihood, Outcome};
 use crate::TaskError;
+use crate::study::matching::nearest;
+use crate::study::modes::{PerMode, TrueModes};
+use crate::study::runs::Kept;
+use crate::study::verdict::{covered, errors, named, reconstruction_errors, scores};
 
 const PART: &str = "study";
 /// The aircraft has four states. They are given, so that errors of all runs can be compared; what the gap says is counted apart.
@@ -76,47 +77,14 @@ pub(crate) fn run(simulator: &Simulator, case: &Case) -> Result<Outcome, TaskErr
         .map(|(fit, modes)| judged(&pair, &truth, &fit, &modes))
         .transpose()?;
     Ok(Outcome {
-        edition: EDITION,
+        edition: Outcome::EDITION,
         case: *case,
         as_printed: printed_errors(&pair, &truth),
-        subspace: subspace.and_then(|found| subspace_errors(&found, &truth)),
+        subspace: subspace.and_then(|found| reconstruction_errors(&found, &truth)),
         order_found: gap.and_then(|found| found.order).map(|order| order.order),
         likelihood,
         bound: bound(simulator, &pair)?,
     })
-}
-
-fn subspace_errors(found: &Reconstruction, truth: &TrueModes) -> Option<PerMode> {
-    let values: Vec<Complex<f64>> = found.modes.iter().map(|found| found.mode.eigenvalue).collect();
-    let places = with_conjugates(&values, truth)?;
-    Some(errors(&places, truth))
-}
-
-/// The eigenvalues for spiral, roll, Dutch roll. A pair may stand for two real modes that the method could not tell apart.
-fn with_conjugates(values: &[Complex<f64>], truth: &TrueModes) -> Option<[Complex<f64>; 3]> {
-    let all: Vec<_> = values.iter().flat_map(|s| both(*s)).collect();
-    assigned(&all, truth).map(|places| places.map(|place| all[place]))
-}
-
-fn both(s: Complex<f64>) -> Vec<Complex<f64>> {
-    if s.im.abs() > 0.0 { vec![s, s.conj()] } else { vec![s] }
-}
-
-fn errors(found: &[Complex<f64>; 3], truth: &TrueModes) -> PerMode {
-    let truth = truth.list();
-    [0, 1, 2].map(|mode| apart(found[mode], truth[mode]))
-}
-
-/// The estimates for spiral, roll, Dutch roll.
-fn named(fit: &LikelihoodFit, truth: &TrueModes) -> Option<[ModeEstimate; 3]> {
-    let (mut values, mut owners) = (Vec::new(), Vec::new());
-    for mode in &fit.modes {
-        for s in both(mode.continuous.value) {
-            values.push(s);
-            owners.push(mode);
-        }
-    }
-    assigned(&values, truth).map(|places| places.map(|place| owners[place].clone()))
 }
 
 fn judged(
@@ -125,46 +93,15 @@ fn judged(
     fit: &LikelihoodFit,
     modes: &[ModeEstimate; 3],
 ) -> Result<Likelihood, TaskError> {
-    let [spiral, roll, dutch_roll] = modes.each_ref().map(|mode| &mode.continuous);
-    let real = |estimate: &ComplexEstimate, truth: Complex<f64>| {
-        (estimate.value.re - truth.re) / estimate.real_deviation()
-    };
-    let scores = [
-        real(spiral, truth.spiral),
-        real(roll, truth.roll),
-        real(dutch_roll, truth.dutch_roll),
-        (dutch_roll.value.im.abs() - truth.dutch_roll.im) / dutch_roll.imaginary_deviation(),
-    ];
     let checked = evaluated(pair, &fit.model)?;
     Ok(Likelihood {
-        errors: errors(&[spiral.value, roll.value, dutch_roll.value], truth),
-        scores: scores.map(|z| if z.is_finite() { z } else { LOST }),
-        covered: [
-            holds_real(spiral, truth.spiral),
-            holds_real(roll, truth.roll),
-            holds_in_ellipse(dutch_roll, truth.dutch_roll),
-        ],
+        errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), truth),
+        scores: scores(modes, truth),
+        covered: covered(modes, truth),
         chi_squared: checked.chi_squared.per_degree_of_freedom(),
         converged: fit.search.levels_settled
             && matches!(fit.search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel),
     })
-}
-
-/// Whether the 95 % interval of a real mode holds the truth. A pair in its place does not.
-fn holds_real(estimate: &ComplexEstimate, truth: Complex<f64>) -> bool {
-    // 1.96 deviations hold 95 % of a normal distribution.
-    const NORMAL_95: f64 = 1.959_963_984_540_054;
-    estimate.value.im.abs() <= 0.0
-        && (estimate.value.re - truth.re).abs() <= NORMAL_95 * estimate.real_deviation()
-}
-
-/// Whether the 95 % ellipse holds the truth.
-pub(crate) fn holds_in_ellipse(estimate: &ComplexEstimate, truth: Complex<f64>) -> bool {
-    // -2 ln 0.05: chi-squared with two degrees of freedom.
-    const CHI_SQUARED_95: f64 = 5.991_464_547_107_98;
-    let off = Vector2::new(estimate.value.re - truth.re, estimate.value.im - truth.im);
-    let inverse = estimate.covariance.try_inverse();
-    inverse.is_some_and(|inverse| off.dot(&(inverse * off)) <= CHI_SQUARED_95)
 }
 
 /// The likelihood of a model under the true noise levels, without a step of the search.

@@ -3,16 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::case::Case;
-
-/// Changes whenever the records or the methods change, so that no study mixes old and new runs.
-pub(crate) const EDITION: u32 = 1;
-
-/// Stands for an infinite score, which JSON does not know: a real eigenvalue has taken the Dutch roll's place, and its imaginary part has no
-/// deviation.
-pub(crate) const LOST: f64 = 1e100;
-
-/// Spiral, roll, Dutch roll.
-pub(crate) type PerMode = [f64; 3];
+use crate::study::modes::PerMode;
+use crate::study::runs::Kept;
 
 /// What became of one pair of records.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,11 +22,24 @@ pub(crate) struct Outcome {
     pub(crate) bound: PerMode,
 }
 
+impl Kept for Outcome {
+    type Case = Case;
+    const EDITION: u32 = 1;
+
+    fn edition(&self) -> u32 {
+        self.edition
+    }
+
+    fn case(&self) -> Case {
+        self.case
+    }
+}
+
 /// What maximum likelihood gives.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Likelihood {
     pub(crate) errors: PerMode,
-    /// Error over its own deviation: spiral, roll, Dutch roll's real part, its imaginary part; [`LOST`] or more where there is no deviation.
+    /// Error over its own deviation: spiral, roll, Dutch roll's real part, its imaginary part; [`LOST`](crate::study::verdict::LOST) or more where there is no deviation.
     pub(crate) scores: [f64; 4],
     /// Whether the 95 % interval (of the Dutch roll: ellipse) holds the truth.
     pub(crate) covered: [bool; 3],

@@ -3,13 +3,10 @@
 use report::{Axis, Band, Dash, Figure, Guide, Ink, Line, Marker, Panel};
 
 use super::case::Excitation;
-use super::statistics::{Summary, histogram};
-
-/// The modes in the order of all triples.
-pub(crate) const MODES: [&str; 3] = ["spiral", "roll", "Dutch roll"];
-
-/// A name and its look in all figures.
-pub(crate) type Look = (&'static str, Ink, Dash, Marker);
+use super::statistics::Summary;
+use crate::study::averages::histogram;
+use crate::study::look::Look;
+use crate::study::modes::MODES;
 
 /// The methods in the order of [`Summary::methods`].
 pub(crate) const METHODS: [Look; 3] = [

@@ -1,6 +1,7 @@
 use super::*;
-use crate::study::case::{Case, cases};
-use crate::study::outcome::{EDITION, Likelihood};
+use crate::study::noise::case::{Case, cases};
+use crate::study::noise::outcome::Likelihood;
+use crate::study::runs::Kept;
 
 fn fit(error: f64, chi_squared: f64) -> Likelihood {
     Likelihood {
@@ -14,7 +15,7 @@ fn fit(error: f64, chi_squared: f64) -> Likelihood {
 
 fn outcome(case: Case, likelihood: Option<Likelihood>) -> Outcome {
     Outcome {
-        edition: EDITION,
+        edition: Outcome::EDITION,
         case,
         as_printed: None,
         subspace: likelihood.as_ref().map(|fit| fit.errors.map(|error| 10.0 * error)),
@@ -75,13 +76,4 @@ fn a_lost_mode_is_counted_apart() {
     let found = &summaries(&outcomes)[0];
     assert_eq!((found.runs, found.lost, found.scores[2].len()), (17, 1, 33));
     assert!(found.score_deviation()[2] < 4.0);
-}
-
-#[test]
-fn middle_and_bins() {
-    assert!((median(&[3.0, 1.0, 2.0]) - 2.0).abs() < 1e-15);
-    assert!((median(&[4.0, 1.0, 2.0, 3.0]) - 2.5).abs() < 1e-15);
-    assert!(median(&[]).is_nan());
-    let bins = histogram(&[-9.0, -0.5, 0.0, 0.5, 9.0], (-1.0, 1.0), 2);
-    assert_eq!(bins, [(-1.0, 0.0, 0.4), (0.0, 1.0, 0.6)]);
 }

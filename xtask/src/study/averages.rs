@@ -1,0 +1,73 @@
+//! What many numbers say together.
+
+use super::modes::PerMode;
+
+/// The errors of one method.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MethodSummary {
+    /// Root mean square error in 1/s; `None` where no run gave anything.
+    pub(crate) rms: Option<PerMode>,
+    pub(crate) median: Option<PerMode>,
+    /// Runs that gave nothing.
+    pub(crate) failed: usize,
+}
+
+impl MethodSummary {
+    /// Of the errors of all runs; `None` where a run gave nothing.
+    pub(crate) fn of(errors: Vec<Option<PerMode>>) -> Self {
+        let failed = errors.iter().filter(|errors| errors.is_none()).count();
+        let errors: Vec<PerMode> = errors.into_iter().flatten().collect();
+        let of = |part: fn(&[f64]) -> f64| {
+            (!errors.is_empty()).then(|| {
+                [0, 1, 2].map(|mode| part(&errors.iter().map(|run| run[mode]).collect::<Vec<_>>()))
+            })
+        };
+        Self { rms: of(root_mean_square), median: of(median), failed }
+    }
+}
+
+pub(crate) fn root_mean_square(values: &[f64]) -> f64 {
+    (values.iter().map(|value| value * value).sum::<f64>() / count(values.len())).sqrt()
+}
+
+/// The middle value, or the mean of the two in the middle; not a number where there is none.
+pub(crate) fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    match sorted.len() {
+        0 => f64::NAN,
+        n if n % 2 == 1 => sorted[n / 2],
+        n => f64::midpoint(sorted[n / 2 - 1], sorted[n / 2]),
+    }
+}
+
+/// The value that this part of all values does not exceed, none between two; not a number where there is none.
+pub(crate) fn quantile(values: &[f64], part: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let place =
+        sorted.iter().enumerate().find(|(below, _)| count(below + 1) >= part * count(values.len()));
+    place.map_or(f64::NAN, |(_, value)| *value)
+}
+
+/// Density in bins of equal width between two ends; what lies beyond counts in the outermost bins. (left end, right end, density)
+pub(crate) fn histogram(values: &[f64], ends: (f64, f64), bins: u32) -> Vec<(f64, f64, f64)> {
+    let width = (ends.1 - ends.0) / f64::from(bins);
+    (0..bins)
+        .map(|bin| {
+            let left = ends.0 + width * f64::from(bin);
+            let right = left + width;
+            let inside =
+                |value: f64| (value >= left || bin == 0) && (value < right || bin + 1 == bins);
+            let number = values.iter().filter(|value| inside(**value)).count();
+            (left, right, count(number) / (count(values.len().max(1)) * width))
+        })
+        .collect()
+}
+
+pub(crate) fn count(number: usize) -> f64 {
+    u32::try_from(number).map_or(f64::INFINITY, f64::from)
+}
+
+#[cfg(test)]
+mod tests;
