@@ -6,6 +6,7 @@ mod growth;
 mod limit;
 mod machine;
 mod memory;
+mod noise;
 mod ours;
 mod paper;
 mod peak;
@@ -38,7 +39,7 @@ pub(crate) struct Args {
     #[arg(long)]
     long: bool,
 
-    /// Only this group: speed, accuracy, growth, limit or paper.
+    /// Only this group: speed, accuracy, growth, limit, paper or noise.
     #[arg(long, value_name = "ID")]
     only: Option<String>,
 
@@ -82,12 +83,13 @@ pub(crate) struct Group {
 type Measure = fn(&Bench) -> Result<Group, TaskError>;
 
 /// The groups in their order, and what `--only` calls them.
-const GROUPS: [(&str, Measure); 5] = [
+const GROUPS: [(&str, Measure); 6] = [
     ("speed", speed::measure),
     ("accuracy", accuracy::measure),
     ("growth", growth::measure),
     ("limit", limit::measure),
     ("paper", paper::measure),
+    ("noise", noise::measure),
 ];
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {

@@ -27,6 +27,10 @@ const HOLD: f64 = 1e3;
 /// Around a moved mode that leaves this many times the best cost there is no higher top.
 const HOPELESS: f64 = 5.0;
 
+/// The most steps between two updates of the noise levels, and the most updates, after a move.
+const STEPS_OF_A_MOVE: usize = 40;
+const UPDATES_OF_A_MOVE: usize = 5;
+
 /// A top, and the start from which it was reached.
 struct Top {
     climb: Climb,
@@ -70,7 +74,7 @@ pub(super) fn search(
     }
     let moves =
         if moving { past_slow_modes(look, &mut tops, residuals, first, finalist) } else { 0 };
-    if thin.is_some() {
+    if thin.is_some() || moves > 0 {
         tops = on_all_frequencies(problem, tops, residuals, options, finalist);
     }
     let mut ordered = tops.0.into_iter();
@@ -103,7 +107,14 @@ fn past_slow_modes(
         .iter()
         .map(|spectrum| spectrum.weight.iter().sum::<f64>())
         .fold(0.0, f64::max);
-    for round in 0..options.largest_moves {
+    let rounds = options.largest_moves;
+    // A move that creeps leads nowhere, and there are several of them.
+    let options = &LikelihoodOptions {
+        largest_steps: options.largest_steps.min(STEPS_OF_A_MOVE),
+        largest_updates: options.largest_updates.min(UPDATES_OF_A_MOVE),
+        ..options.clone()
+    };
+    for round in 0..rounds {
         let Some(best) = tops.0.first() else { return round };
         let start = best.start;
         let (objective, cost) = (best.climb.objective, best.climb.evaluation.cost);
@@ -135,7 +146,7 @@ fn past_slow_modes(
             return round;
         }
     }
-    options.largest_moves
+    rounds
 }
 
 /// Follows the best tops on all frequencies.

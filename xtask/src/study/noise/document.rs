@@ -22,7 +22,7 @@ pub(crate) fn compose(
              2000 samples each, 300 with the 3-2-1-1. White noise in every sensor, its level the root mean square of the sensor's signal (about its mean, mean of the two records) over the \
              signal to noise ratio; no method knows the levels. Four states are given to the methods; the order that the gap shows is counted beside. \
              The information bound is the mean covariance at the true system with known levels, for unknown inputs. A Dutch roll is lost where a real \
-             eigenvalue is in its place: that counts in errors and coverage, but has no score.",
+             eigenvalue is in its place: that counts in errors and coverage, but has no score. The top of the likelihood is missed where a search from the true system ends higher.",
         ))
         .with(Block::bullets([
             format!("command: `{command}`"),
@@ -167,6 +167,7 @@ fn confidence_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
         Column::right(bad),
         Column::right("Dutch roll lost"),
         Column::right("not converged"),
+        Column::right("top missed"),
         Column::right("no result: printed / subspace / likelihood"),
         Column::right("gap shows four states"),
     ];
@@ -185,6 +186,7 @@ fn confidence_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
                 of_all(summary.bad_fits),
                 of_all(summary.lost),
                 of_all(summary.unconverged),
+                of_all(summary.missed),
                 summary.methods.each_ref().map(|method| method.failed.to_string()).join(" / "),
                 of_all(summary.right_order),
             ])

@@ -81,7 +81,19 @@ impl Simulator {
         signal_to_noise: f64,
         seed: u64,
     ) -> Result<Pair, TaskError> {
-        let clean = [self.clean(excitation, seed, 0)?, self.clean(excitation, seed, 1)?];
+        self.fly_samples(excitation, signal_to_noise, seed, excitation.samples())
+    }
+
+    /// The same for any number of samples.
+    pub(crate) fn fly_samples(
+        &self,
+        excitation: Excitation,
+        signal_to_noise: f64,
+        seed: u64,
+        samples: usize,
+    ) -> Result<Pair, TaskError> {
+        let clean = |surface| self.clean(excitation, samples, seed, surface);
+        let clean = [clean(0)?, clean(1)?];
         let levels = noise_levels(&clean, signal_to_noise);
         let noisy = |surface: usize| {
             let mut random = stream(seed, 2 + surface as u64);
@@ -95,10 +107,10 @@ impl Simulator {
     fn clean(
         &self,
         excitation: Excitation,
+        samples: usize,
         seed: u64,
         surface: usize,
     ) -> Result<DMatrix<f64>, TaskError> {
-        let samples = excitation.samples();
         let mut random = stream(seed, surface as u64);
         let input = match excitation {
             Excitation::White => normal(1, samples, &mut random),

@@ -74,7 +74,7 @@ pub(crate) fn run(simulator: &Simulator, case: &Case) -> Result<Outcome, TaskErr
     let subspace = apply(&pair, Method::Subspace, ORDER);
     let gap = apply(&pair, Method::Subspace, Options::default().order);
     let likelihood = most_likely(&pair, &truth)
-        .map(|(fit, modes)| judged(&pair, &truth, &fit, &modes))
+        .map(|(fit, modes)| judged(simulator, &pair, &fit, &modes))
         .transpose()?;
     Ok(Outcome {
         edition: Outcome::EDITION,
@@ -88,20 +88,39 @@ pub(crate) fn run(simulator: &Simulator, case: &Case) -> Result<Outcome, TaskErr
 }
 
 fn judged(
+    simulator: &Simulator,
     pair: &Pair,
-    truth: &TrueModes,
     fit: &LikelihoodFit,
     modes: &[ModeEstimate; 3],
 ) -> Result<Likelihood, TaskError> {
     let checked = evaluated(pair, &fit.model)?;
+    let truth = simulator.modes();
     Ok(Likelihood {
-        errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), truth),
-        scores: scores(modes, truth),
-        covered: covered(modes, truth),
+        errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), &truth),
+        scores: scores(modes, &truth),
+        covered: covered(modes, &truth),
         chi_squared: checked.chi_squared.per_degree_of_freedom(),
         converged: fit.search.levels_settled
             && matches!(fit.search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel),
+        missed: missed(simulator, pair, fit)?,
     })
+}
+
+/// Whether the search ended below the top that the true system leads to.
+fn missed(simulator: &Simulator, pair: &Pair, fit: &LikelihoodFit) -> Result<bool, TaskError> {
+    // Searches end closer to a top than this.
+    const SAME_TOP: f64 = 0.1;
+    let mut options = LikelihoodOptions::default();
+    let levels = fit.noise_levels.iter().flatten().map(|level| level.value).collect();
+    options.noise = LikelihoodNoise::Estimated { first_guess: Some(levels) };
+    options.feedthrough_sensors.clone_from(&pair.direct);
+    options.largest_moves = 0;
+    let objective = |start: &SharedModel| {
+        let fit = maximise(&pair.records, std::slice::from_ref(start), &options)
+            .map_err(TaskError::computation(PART))?;
+        Ok::<_, TaskError>(fit.starts[0].objective)
+    };
+    Ok(objective(&fit.model)? > objective(&simulator.truth())? + SAME_TOP)
 }
 
 /// The likelihood of a model under the true noise levels, without a step of the search.

@@ -24,7 +24,7 @@ pub(crate) struct Outcome {
 
 impl Kept for Outcome {
     type Case = Case;
-    const EDITION: u32 = 1;
+    const EDITION: u32 = 2;
 
     fn edition(&self) -> u32 {
         self.edition
@@ -46,4 +46,6 @@ pub(crate) struct Likelihood {
     /// Chi-squared per degree of freedom under the true noise levels.
     pub(crate) chi_squared: f64,
     pub(crate) converged: bool,
+    /// Whether a search from the true system ended at a higher likelihood.
+    pub(crate) missed: bool,
 }

@@ -28,6 +28,8 @@ pub(crate) struct Summary {
     pub(crate) lost: usize,
     /// Runs whose search did not converge.
     pub(crate) unconverged: usize,
+    /// Runs whose search ended at a lower likelihood than one from the true system.
+    pub(crate) missed: usize,
     /// Runs in which the gap shows four states.
     pub(crate) right_order: usize,
 }
@@ -76,6 +78,7 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
             .count(),
         lost: fits.iter().filter(|fit| fit.scores.iter().any(|z| z.abs() >= LOST)).count(),
         unconverged: fits.iter().filter(|fit| !fit.converged).count(),
+        missed: fits.iter().filter(|fit| fit.missed).count(),
         right_order: outcomes.iter().filter(|run| run.order_found == Some(4)).count(),
     }
 }

@@ -10,6 +10,7 @@ fn fit(error: f64, chi_squared: f64) -> Likelihood {
         covered: [true, error < 2.0, false],
         chi_squared,
         converged: error < 2.0,
+        missed: error > 3.0,
     }
 }
 
@@ -53,7 +54,8 @@ fn a_kind_is_summed_up() {
     assert!(close(second.ratio().unwrap(), [5.0, 5.0, 15.0 / 2.0_f64.sqrt()]));
     assert!(close(second.score_deviation(), [1.0, 2.0, 12.5_f64.sqrt()]));
     assert!(close(second.coverage, [1.0, 0.5, 0.0]));
-    assert_eq!((second.bad_fits, second.unconverged, second.right_order), (1, 1, 2));
+    assert_eq!((second.bad_fits, second.unconverged, second.missed), (1, 1, 1));
+    assert_eq!(second.right_order, 2);
     assert_eq!((found[0].bad_fits, found[0].right_order), (0, 2));
 }
 
