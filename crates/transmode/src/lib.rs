@@ -16,7 +16,7 @@ use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::CommandError;
+pub use error::{CommandError, Others, SelectionError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.
