@@ -2,6 +2,7 @@
 
 mod files;
 mod fit;
+mod inspect;
 
 use std::path::PathBuf;
 
@@ -9,6 +10,7 @@ use clap::{Parser, Subcommand};
 
 pub(crate) use files::FileArgs;
 pub(crate) use fit::FitArgs;
+pub(crate) use inspect::InspectArgs;
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
@@ -25,6 +27,7 @@ Exit codes: 0 all is well; 1 there is a result, but it cannot be trusted, and th
 pub(crate) enum Command {
     Identify(IdentifyArgs),
     Fit(FitArgs),
+    Inspect(InspectArgs),
 }
 
 /// Names the modes of a system from two or more records of its sensors.

@@ -249,3 +249,6 @@ impl Recording<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -93,8 +93,16 @@ impl<R: Read> Reader<R> {
                 continue;
             }
             let each = |index, field: &[u8]| columns.push(index, field, separator);
-            let count =
-                dialect::fields(row, separator, each).map_err(|fault| fault.at(&file, row.line))?;
+            let count = match dialect::fields(row, separator, each) {
+                Ok(count) => count,
+                // A row of another length is the graver fault.
+                Err(fault) => {
+                    let any = |_, _: &[u8]| Ok::<_, std::convert::Infallible>(());
+                    let count = dialect::fields(row, separator, any).unwrap_or(0);
+                    check_length(&file, separator, row.line, count, headings.len())?;
+                    return Err(fault.at(&file, row.line));
+                }
+            };
             check_length(&file, separator, row.line, count, headings.len())?;
             columns.lines.push(row.line);
         }
