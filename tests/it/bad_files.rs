@@ -466,7 +466,7 @@ fn places_that_cannot_be_read_or_written() {
         .refused("cannot read");
     // Nobody but the superuser reads a file without permissions.
     let locked = folder.file("locked.csv", b"time,a\n");
-    std::fs::set_permissions(&locked, std::fs::Permissions::from_mode(0)).unwrap();
+    std::fs::set_permissions(&locked, std::fs::Permissions::from_mode(0o000)).unwrap();
     if std::fs::File::open(&locked).is_err() {
         transmode(&["identify", &locked, &good[0]]).refused("cannot read");
     }

@@ -76,6 +76,9 @@ fn agree(found: &Value, tolerance: f64, what: &str) {
     }
 }
 
+/// Writes columns in a format.
+type Make<'a> = &'a dyn Fn(&[Vec<f64>; 4]) -> Vec<u8>;
+
 #[test]
 fn one_record_is_the_same_in_every_format() {
     let [aileron, rudder] = pair();
@@ -104,7 +107,7 @@ fn one_record_is_the_same_in_every_format() {
         variables.push(("title", 4, [1, 2], &[0.0]));
         mat(version, &variables)
     };
-    let makes: [(&str, &dyn Fn(&[Vec<f64>; 4]) -> Vec<u8>); 8] = [
+    let makes: [(&str, Make<'_>); 8] = [
         ("csv", &csv),
         ("txt", &semicolons),
         ("tsv", &tabs),

@@ -21,11 +21,15 @@ fn names(loaded: &Loaded) -> Vec<(&str, usize)> {
     loaded.records.iter().map(|record| (record.name(), record.samples())).collect()
 }
 
+fn span(source: &Source) -> String {
+    format!("{} to {}", source.span_s[0], source.span_s[1])
+}
+
 #[test]
 fn a_whole_file_is_one_record() {
     let found = loaded(0..0, |_, _| ());
     assert_eq!(names(&found), [("f.csv", 200)]);
-    assert_eq!(found.sources[0].span_s, [5.0, 104.5]);
+    assert_eq!(span(&found.sources[0]), "5 to 104.5");
     assert_eq!(found.sources[0].units, [Some("rad"), None]);
     assert_eq!(found.records[0].period().seconds().to_bits(), 0.5_f64.to_bits());
     assert!(found.warnings.is_empty());
@@ -39,7 +43,7 @@ fn a_gap_makes_two_records() {
         options.selection.outputs = vec!["b".to_owned(), "a".to_owned()]
     });
     assert_eq!(names(&found), [("f.csv#1", 80), ("f.csv#2", 100)]);
-    assert_eq!(found.sources[1].span_s, [55.0, 104.5]);
+    assert_eq!(span(&found.sources[1]), "55 to 104.5");
     assert_eq!(found.records[0].channels()[0].name, "b");
     assert_eq!(found.warnings.iter().map(LoadWarning::code).collect::<Vec<_>>(), ["gaps"]);
 }
