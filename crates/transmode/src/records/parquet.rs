@@ -101,3 +101,6 @@ fn numbers<T: DataType>(
         values.extend(levels.into_iter().map(next));
     }
 }
+
+#[cfg(test)]
+mod tests;
