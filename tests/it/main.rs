@@ -2,9 +2,13 @@
 #![expect(clippy::unwrap_used, reason = "a test that unwraps an error has failed")]
 
 mod arrays;
+mod bad_files;
 mod bad_input;
+mod damage;
+mod files;
 mod fit;
 mod fit_bad_input;
 mod identify;
+mod inspect;
 mod layering;
 mod program;

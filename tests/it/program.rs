@@ -11,6 +11,20 @@ pub(crate) struct Ran {
     pub(crate) err: String,
 }
 
+impl Ran {
+    /// Expects exit code 2, nothing on standard output, and one sentence that contains `expected`.
+    pub(crate) fn refused(&self, expected: &str) {
+        assert_eq!(
+            (self.exit, self.out.as_str()),
+            (Exit::BadInput, ""),
+            "should be refused: {expected}"
+        );
+        let one = self.err.trim_end().lines().count() == 1;
+        assert!(self.err.starts_with("error: ") && one, "{}", self.err);
+        assert!(self.err.contains(expected), "{}\nshould contain\n{expected}", self.err);
+    }
+}
+
 /// `transmode WORDS`.
 pub(crate) fn transmode(words: &[&str]) -> Ran {
     let (mut out, mut err) = (Vec::new(), Vec::new());

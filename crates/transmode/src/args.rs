@@ -1,12 +1,16 @@
 //! The command line.
 
+mod files;
 mod fit;
+mod inspect;
 
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+pub(crate) use files::FileArgs;
 pub(crate) use fit::FitArgs;
+pub(crate) use inspect::InspectArgs;
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
@@ -23,26 +27,18 @@ Exit codes: 0 all is well; 1 there is a result, but it cannot be trusted, and th
 pub(crate) enum Command {
     Identify(IdentifyArgs),
     Fit(FitArgs),
+    Inspect(InspectArgs),
 }
 
 /// Names the modes of a system from two or more records of its sensors.
 ///
-/// Each file is one record: a CSV file with a header, a column of time in seconds and one column for each sensor. Each record needs an
-/// excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it.
+/// Each file is one record, or each window of a file: a column of time and one column for each sensor, at least three; first the pseudo input,
+/// then the pseudo outputs. Each record needs an excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = IDENTIFY_HELP)]
 pub(crate) struct IdentifyArgs {
-    /// The records, at least two.
-    #[arg(required = true, num_args = 1.., value_name = "FILE")]
-    pub(crate) files: Vec<PathBuf>,
-
-    /// The sensors to use, at least three: first the pseudo input, then the pseudo outputs [default: all columns but time].
-    #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
-    pub(crate) outputs: Vec<String>,
-
-    /// The column of time, in seconds [default: the one called time or t].
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) time: Option<String>,
+    #[command(flatten)]
+    pub(crate) files: FileArgs,
 
     /// Poles kept in the IIR factor of the composite model, l.
     #[arg(long, default_value_t = 4, value_name = "L", value_parser = order, allow_negative_numbers = true)]
@@ -73,4 +69,5 @@ fn order(text: &str) -> Result<usize, String> {
 const IDENTIFY_HELP: &str = "\
 Examples:
   transmode identify aileron.csv rudder.csv --outputs beta,p,r
-  transmode identify aileron.csv rudder.csv --time t --json modes.json";
+  transmode identify aileron.csv rudder.csv --time clock --json modes.json
+  transmode identify --window flight.mat:10:40 --window flight.mat:60:90 --outputs beta,p,r";

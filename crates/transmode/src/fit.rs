@@ -5,7 +5,6 @@ mod format;
 mod found;
 mod json;
 mod memory;
-mod progress;
 mod stream;
 mod text;
 mod warning;
@@ -43,7 +42,7 @@ pub(crate) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<Exit, CommandEr
     let format =
         Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
     let found = match format {
-        Format::Csv => {
+        Format::Table => {
             let time = args.time.as_deref().map(str::trim);
             memory::fit(&args.file, [input, output], time, &structure, &options)?
         }

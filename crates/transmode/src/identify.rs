@@ -4,33 +4,22 @@ mod json;
 mod text;
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
 use reconstruct::{AsPrintedOptions, as_printed};
 
 use crate::args::IdentifyArgs;
-use crate::records::{self, Selection};
+use crate::records::{self, Loaded, Progress};
 use crate::{CommandError, Exit, modes, output};
 
 /// Reads the records, reconstructs the modes and writes them.
 pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
-    // The names in a file are trimmed as well.
-    let trimmed = |name: &String| name.trim().to_owned();
-    let selection = Selection {
-        outputs: args.outputs.iter().map(trimmed).collect(),
-        time: args.time.as_ref().map(trimmed),
-    };
-    selection.check()?;
     if let Some(file) = &args.json {
-        let files: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
-        output::check_place(file, &files)?;
+        output::check_place(file, &args.files.paths())?;
     }
-    let records = args
-        .files
-        .iter()
-        .map(|file| records::load(file, &selection))
-        .collect::<Result<Vec<_>, _>>()?;
+    let Loaded { records, warnings, .. } =
+        records::load(&args.files.files, &args.files.options(), Progress::Shown)?;
 
     let fault = |message: String| CommandError::Reconstruct(message);
     let orders = Orders::new(args.iir, args.causal, args.anticausal)
@@ -43,12 +32,12 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, Comm
     // The file first: if it cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
     if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&records, &result, &found)?, out)?;
+        output::write_whole(file, &json::render(&records, &result, &found, &warnings)?, out)?;
     }
     if args.json.as_deref() != Some(standard_output) {
         output::write_whole(
             standard_output,
-            text::render(&records, &result, &found).as_bytes(),
+            text::render(&records, &result, &found, &warnings).as_bytes(),
             out,
         )?;
     }

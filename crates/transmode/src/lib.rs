@@ -7,6 +7,7 @@ mod args;
 mod error;
 mod fit;
 mod identify;
+mod inspect;
 mod modes;
 mod output;
 mod records;
@@ -16,7 +17,7 @@ use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::CommandError;
+pub use error::{CommandError, Others, SelectionError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.
@@ -72,6 +73,7 @@ pub fn run<W: Into<OsString> + Clone>(
     let result = match args.command {
         args::Command::Identify(args) => identify::run(&args, out),
         args::Command::Fit(args) => fit::run(&args, out),
+        args::Command::Inspect(args) => inspect::run(&args, out),
     };
     result.unwrap_or_else(|error| {
         // A reader that went away, such as `head`, has what it wanted.

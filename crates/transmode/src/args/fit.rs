@@ -5,9 +5,9 @@ use std::path::PathBuf;
 /// Identifies the transmissibility from one sensor to another.
 ///
 /// The model is a noncausal composite of a finite and an infinite impulse response: D(q) y_o(k) = sum of h_i y_i(k - i), i from -d to r. FILE
-/// is a CSV file with a header and a column of time in seconds; an NPY file (.npy) with a 2-D array of floats, samples x channels; or raw
-/// little-endian doubles (.f64), one sample of all channels after another. NPY and raw files may have any length: they are read once, in
-/// blocks. A NaN marks a gap, across which no equation reaches.
+/// is any that identify reads; an NPY file (.npy) with a 2-D array of floats, samples x channels; or raw little-endian doubles (.f64), one sample
+/// of all channels after another. NPY and raw files may have any length: they are read once, in blocks. A NaN marks a gap, across which no
+/// equation reaches.
 #[derive(Debug, clap::Args)]
 #[command(after_help = FIT_HELP)]
 pub(crate) struct FitArgs {
@@ -27,7 +27,7 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "C", value_parser = clap::value_parser!(u64).range(1..))]
     pub(crate) channels: Option<u64>,
 
-    /// The column of time of a CSV file, in seconds [default: the one called time or t].
+    /// The column of time, if not in an NPY or raw file [default: the one called time, t or timestamp].
     #[arg(long, value_name = "COLUMN")]
     pub(crate) time: Option<String>,
 

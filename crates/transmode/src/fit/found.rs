@@ -5,14 +5,14 @@ use std::path::Path;
 use cfi_ident::{Fit, Parameter};
 use poly::{MrootsOptions, Poly, Root, mroots};
 
-use super::format::Format;
-
 /// What one run found.
 #[derive(Debug)]
 pub(super) struct Found {
     /// The file's name without its folder.
     pub(super) file: String,
-    pub(super) format: Format,
+    /// What kind of file it is, for other programs.
+    pub(super) format: &'static str,
+    pub(super) passes: Passes,
     pub(super) input: String,
     pub(super) output: String,
     /// Where the file says it.
@@ -25,6 +25,13 @@ pub(super) struct Found {
     pub(super) fit: Fit,
     /// The roots of D in z, or why they are not known.
     pub(super) poles: Result<Vec<Root>, String>,
+}
+
+/// How often the record was read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passes {
+    One,
+    Several,
 }
 
 /// One parameter of the model.

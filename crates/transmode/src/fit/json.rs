@@ -76,7 +76,7 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, Com
     let output = Output {
         schema: 1,
         file: &found.file,
-        format: found.format.name(),
+        format: found.format,
         input: &found.input,
         output: &found.output,
         sample_period_s: found.sample_period_s,

@@ -7,12 +7,12 @@ use cfi_ident::{Accumulator, Fit, FitError, FitOptions, Structure};
 
 use super::explained::{explained, explained_in_array};
 use super::format::Format;
-use super::found::{Found, poles, short_name};
-use super::progress::Progress;
+use super::found::{Found, Passes, poles, short_name};
 use crate::CommandError;
 use crate::records::binary::{self, Placement};
 use crate::records::blocks::{Block, Blocks};
-use crate::records::npy::{self, NpyError};
+use crate::records::npy;
+use crate::records::progress::{Bar, Progress};
 use crate::records::runs::{Infinite, Side, runs};
 use crate::records::{in_file, raw};
 
@@ -28,10 +28,7 @@ pub(super) fn fit(
         Format::Raw(channels) => raw::placement(&mut source, length, channels),
         _ => npy::placement(&mut source, length),
     };
-    let placement = placement.map_err(|error| match error {
-        NpyError::Read(source) => CommandError::Read { file: file.to_owned(), source },
-        NpyError::Format(error) => in_file(file, &error),
-    })?;
+    let placement = placement.map_err(|error| error.of_file(file))?;
     let channels = [
         channel(file, &placement, "--input", input)?,
         channel(file, &placement, "--output", output)?,
@@ -40,7 +37,7 @@ pub(super) fn fit(
         return Err(CommandError::SameColumn { column: input.to_owned() });
     }
 
-    let progress = Progress::new(&placement);
+    let progress = Progress::Shown.samples(placement.samples());
     let fault = |error: &dyn std::error::Error| in_file(file, error);
     let mut sums = Sums::new(structure, options).map_err(|error| fault(&explained(error)))?;
     let mut blocks = Blocks::new(source, placement, channels);
@@ -62,7 +59,8 @@ pub(super) fn fit(
     })?;
     Ok(Found {
         file: short_name(file),
-        format,
+        format: format.name(),
+        passes: Passes::One,
         input: channels[0].to_string(),
         output: channels[1].to_string(),
         sample_period_s: None,
@@ -117,7 +115,7 @@ impl Sums {
     fn read(
         &mut self,
         blocks: &mut Blocks<impl Read + Seek>,
-        progress: &Progress,
+        progress: &Bar,
     ) -> Result<(), StreamError> {
         while let Some(block) = blocks.next().map_err(StreamError::Read)? {
             self.push(&block)?;

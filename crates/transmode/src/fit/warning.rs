@@ -4,8 +4,7 @@ use std::fmt;
 
 use report::format_significant;
 
-use super::format::Format;
-use super::found::Found;
+use super::found::{Found, Passes};
 
 /// Parameters that rounding may move by more than this are doubtful: ten digits are more than any sensor has, and fewer would hide that the
 /// record barely determines them.
@@ -34,13 +33,6 @@ pub(super) enum Warning {
     NoPoles { reason: String },
 }
 
-/// How often the record was read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passes {
-    One,
-    Several,
-}
-
 impl Warning {
     /// Whether the parameters cannot be trusted.
     pub(super) fn is_doubt(&self) -> bool {
@@ -65,7 +57,7 @@ pub(super) fn warnings(found: &Found) -> Vec<Warning> {
     let fit = &found.fit;
     let structure = fit.model.structure();
     let parameters = structure.parameter_count();
-    let passes = if found.format == Format::Csv { Passes::Several } else { Passes::One };
+    let passes = found.passes;
     let mut warnings = Vec::new();
     if let Some(open) = &fit.unidentifiable {
         let open = open.parameters.iter().map(ToString::to_string).collect();

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::CommandError;
 use crate::modes::Found;
+use crate::records::LoadWarning;
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -80,7 +81,10 @@ pub(super) fn render(
     records: &[Record],
     result: &AsPrinted,
     found: &[Found],
+    warnings: &[LoadWarning],
 ) -> Result<Vec<u8>, CommandError> {
+    let doubts =
+        result.doubts.iter().map(|doubt| Warning { code: code(doubt), text: doubt.to_string() });
     let output = Output {
         schema: 1,
         method: "as-printed",
@@ -93,10 +97,10 @@ pub(super) fn render(
         modes: found.iter().map(mode).collect(),
         closest_refused: result.shared.closest_refused,
         transmissibilities: result.identifications.iter().map(transmissibility).collect(),
-        warnings: result
-            .doubts
+        warnings: warnings
             .iter()
-            .map(|doubt| Warning { code: code(doubt), text: doubt.to_string() })
+            .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
+            .chain(doubts)
             .collect(),
     };
     let mut text = serde_json::to_vec_pretty(&output)

@@ -7,9 +7,15 @@ use reconstruct::{AsPrinted, Record};
 use report::{format_conjugate_pair, format_significant};
 
 use crate::modes::Found;
+use crate::records::LoadWarning;
 
 /// The modes, how they were found, and every reason not to trust them.
-pub(super) fn render(records: &[Record], result: &AsPrinted, found: &[Found]) -> String {
+pub(super) fn render(
+    records: &[Record],
+    result: &AsPrinted,
+    found: &[Found],
+    warnings: &[LoadWarning],
+) -> String {
     let mut text = String::new();
     let names: Vec<_> = records[0].channels().iter().map(|channel| channel.name.as_str()).collect();
     let (input, outputs) =
@@ -34,6 +40,9 @@ pub(super) fn render(records: &[Record], result: &AsPrinted, found: &[Found]) ->
     let worst =
         result.identifications.iter().map(|found| found.fit.relative_residual).fold(0.0, f64::max);
     let _ = writeln!(text, "\n{}", summary(result, worst));
+    for warning in warnings {
+        let _ = writeln!(text, "warning: {warning}");
+    }
     for doubt in &result.doubts {
         let _ = writeln!(text, "warning: {doubt}");
     }

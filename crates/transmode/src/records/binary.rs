@@ -1,7 +1,7 @@
 //! Records as blocks of numbers: where each sample of each channel lies in the file.
 
 use std::fs::File;
-use std::io::{Error, ErrorKind};
+use std::io::{Error, ErrorKind, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use super::format_error::FormatError;
@@ -9,6 +9,9 @@ use crate::CommandError;
 
 /// More channels than this are refused: it is an array of channels x samples, and a row of it would fill the memory.
 const MOST_CHANNELS: u64 = 1_000_000;
+
+/// Bytes read at once: enough to keep the disk busy, little beside any machine's memory.
+const BLOCK_BYTES: u64 = 4 << 20;
 
 /// Where the numbers of a record lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +77,49 @@ impl Placement {
         Ok(Self { offset, samples, channels, order, number })
     }
 
+    /// Reads the channels asked for, all samples of each.
+    pub(crate) fn read(
+        &self,
+        source: &mut (impl Read + Seek),
+        wanted: &[usize],
+        mut progress: impl FnMut(u64),
+    ) -> Result<Vec<Vec<f64>>, Error> {
+        let width = u64::from(self.number.width.bytes());
+        // One sample after another of all channels, or of one channel alone.
+        let (passes, row) = match self.order {
+            Order::SampleBySample => (1, self.channels * width),
+            Order::ChannelByChannel => (wanted.len(), width),
+        };
+        let at_once = (BLOCK_BYTES / row).max(1);
+        let mut values = vec![Vec::new(); wanted.len()];
+        let mut bytes = Vec::new();
+        for pass in 0..passes {
+            let before = if self.order == Order::SampleBySample { 0 } else { wanted[pass] as u64 };
+            source.seek(SeekFrom::Start(self.offset + before * self.samples * width))?;
+            let mut left = self.samples;
+            while left > 0 {
+                let samples = at_once.min(left);
+                bytes.resize(length(samples * row), 0);
+                source.read_exact(&mut bytes)?;
+                if self.order == Order::ChannelByChannel {
+                    self.number.decode(&bytes, length(width), &mut values[pass]);
+                } else {
+                    for (channel, values) in wanted.iter().zip(&mut values) {
+                        let from = channel * usize::from(self.number.width.bytes());
+                        self.number.decode(
+                            bytes.get(from..).unwrap_or_default(),
+                            length(row),
+                            values,
+                        );
+                    }
+                }
+                left -= samples;
+                progress(samples * row);
+            }
+        }
+        Ok(values)
+    }
+
     pub(crate) fn offset(&self) -> u64 {
         self.offset
     }
@@ -134,4 +180,9 @@ pub(crate) fn open(file: &Path) -> Result<(File, u64), CommandError> {
         return Err(super::in_file(file, &FormatError::NotRegular));
     }
     Ok((File::open(file).map_err(fault)?, metadata.len()))
+}
+
+/// A length in memory.
+fn length(bytes: u64) -> usize {
+    usize::try_from(bytes).expect("a block and a sample are a few megabytes")
 }

@@ -13,8 +13,44 @@ pub(crate) enum FormatError {
     NotNpy,
     #[error("this is an NPY file; call it .npy and leave out --channels")]
     IsNpy,
-    #[error("an NPZ file is an archive of arrays; save the one array with numpy.save")]
-    IsArchive,
+    #[error(
+        "this is no {format} file, though it is called one; save it again, or call it by what it is"
+    )]
+    Misnamed { format: &'static str },
+    #[error(
+        "this is text in UTF-16; save it as UTF-8, for example as \"CSV UTF-8\" in a spreadsheet"
+    )]
+    Utf16,
+    #[error("byte {at} is zero, so this is no text, and no other format that is read: CSV, .mat (-v7), .npy, .npz{parquet}", parquet = PARQUET)]
+    Binary { at: usize },
+    #[error(
+        "this is a MATLAB file of version 7.3, which is HDF5; save it with save('file.mat', '-v7')"
+    )]
+    Mat73,
+    #[error("this is an HDF5 file; export its channels as CSV or NPZ")]
+    Hdf5,
+    #[error("this is a MATLAB file of version 4; save it with save('file.mat', '-v7')")]
+    Mat4,
+    #[error(
+        "this is a Parquet file, and this program was built without Parquet; export it as CSV, or build with --features parquet"
+    )]
+    NoParquet,
+    #[error("this is a spreadsheet; export the sheet as CSV")]
+    Spreadsheet,
+    #[error("this is a ZIP archive without arrays (.npy); save the record with numpy.savez")]
+    NoArrays,
+    #[error("the archive is damaged or truncated ({what}); copy or save it again")]
+    Archive { what: String },
+    #[error(
+        "raw doubles say neither names nor times; save the record as NPY, or use it with transmode fit --channels"
+    )]
+    IsRaw,
+    #[error("the MATLAB file is damaged or truncated at byte {at}: {what}; copy or save it again")]
+    DamagedMat { at: u64, what: &'static str },
+    #[error(
+        "the file holds no numeric vector or matrix (it holds {found}); save the channels as variables of their own, a structure with save('file.mat', '-struct', 'name', '-v7')"
+    )]
+    NoNumbers { found: String },
     #[error("raw doubles do not say how many channels there are; give --channels")]
     MissingChannels,
     #[error("--channels is for raw doubles only; leave it out, or call the file .f64")]
@@ -62,6 +98,9 @@ pub(crate) enum FormatError {
     )]
     RawLength { length: u64, channels: u64, row: u64 },
 }
+
+/// One more format, where the program was built with it.
+const PARQUET: &str = if cfg!(feature = "parquet") { ", .parquet" } else { "" };
 
 /// As Python writes it.
 fn shape(found: &[u64]) -> String {

@@ -7,10 +7,15 @@
 
 mod header;
 
-use std::io::{ErrorKind, Read};
+use std::io::{ErrorKind, Read, Seek};
+use std::path::Path;
 
 use super::binary::{Ends, Number, Order, Placement, Width};
+use super::format::Format;
 use super::format_error::FormatError;
+use super::progress::Bar;
+use super::table::{Choose, Heading, Places, Table};
+use crate::CommandError;
 use header::Header;
 
 /// What every NPY file starts with.
@@ -41,8 +46,68 @@ impl From<std::io::Error> for NpyError {
     }
 }
 
-/// Reads the header of a file of `length` bytes.
+impl NpyError {
+    pub(crate) fn of_file(self, file: &Path) -> CommandError {
+        match self {
+            Self::Read(source) => CommandError::Read { file: file.to_owned(), source },
+            Self::Format(error) => super::in_file(file, &error),
+        }
+    }
+}
+
+/// Reads the chosen channels of an array of samples x channels, which are called by their index, or of a single channel.
+pub(crate) fn read(
+    file: &Path,
+    mut source: impl Read + Seek,
+    length: u64,
+    choose: &mut Choose<'_>,
+    bar: &Bar,
+) -> Result<Table, CommandError> {
+    let placement = any_placement(&mut source, length).map_err(|error| error.of_file(file))?;
+    let samples = usize::try_from(placement.samples()).ok();
+    let heading = |index: u64| Heading { samples, ..Heading::named(index.to_string()) };
+    let headings: Vec<Heading> = (0..placement.channels()).map(heading).collect();
+    let chosen = choose(Format::Npy, &headings)?;
+    let fault = |source| CommandError::Read { file: file.to_owned(), source };
+    let values = placement.read(&mut source, &chosen, |bytes| bar.advance(bytes)).map_err(fault)?;
+    let table = Table { format: Format::Npy, headings, chosen, values, places: Places::Samples };
+    super::finite(file, table)
+}
+
+/// Reads the header of a file of `length` bytes that holds an array of samples x channels.
 pub(crate) fn placement(source: &mut impl Read, length: u64) -> Result<Placement, NpyError> {
+    header(source, length)?.placement()
+}
+
+/// The same, and an array of one dimension is one channel.
+pub(super) fn any_placement(source: &mut impl Read, length: u64) -> Result<Placement, NpyError> {
+    let mut array = header(source, length)?;
+    if array.shape.len() == 1 {
+        array.shape.push(1);
+    }
+    array.placement()
+}
+
+/// What a header says.
+struct Array {
+    offset: u64,
+    shape: Vec<u64>,
+    order: Order,
+    number: Number,
+    /// Bytes of the whole file.
+    length: u64,
+}
+
+impl Array {
+    fn placement(self) -> Result<Placement, NpyError> {
+        let shape =
+            <[u64; 2]>::try_from(self.shape).map_err(|found| FormatError::Dimensions { found })?;
+        Ok(Placement::new(self.offset, shape, self.order, self.number, self.length)?)
+    }
+}
+
+/// Reads the header of a file of `length` bytes.
+fn header(source: &mut impl Read, length: u64) -> Result<Array, NpyError> {
     if length == 0 {
         return Err(FormatError::Empty.into());
     }
@@ -78,9 +143,7 @@ pub(crate) fn placement(source: &mut impl Read, length: u64) -> Result<Placement
         String::from_utf8(text).map_err(|_| FormatError::BadHeader { what: "it is not text" })?;
     let header = Header::parse(&text)?;
     let number = number(&header.descr)?;
-    let shape =
-        <[u64; 2]>::try_from(header.shape).map_err(|found| FormatError::Dimensions { found })?;
-    Ok(Placement::new(start + size, shape, header.order, number, length)?)
+    Ok(Array { offset: start + size, shape: header.shape, order: header.order, number, length })
 }
 
 fn number(descr: &str) -> Result<Number, FormatError> {

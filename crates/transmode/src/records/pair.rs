@@ -1,62 +1,63 @@
-//! Two columns of a CSV file, gaps allowed.
+//! Two channels of a file in memory, gaps allowed.
 
-use std::fs::File;
-use std::io::{BufReader, Read};
+use std::ops::Range;
 use std::path::Path;
 
-use lti::SamplePeriod;
-
-use super::csv::{self, Columns, Missing};
-use super::{Selection, no_such_column, sample_period, time_column};
-use crate::CommandError;
+use super::format::Format;
+use super::progress::Progress;
+use super::segments::segments;
+use super::selection::{Selected, Selection, TimeSource};
+use super::source;
+use super::timing::{Times, scale};
+use crate::{CommandError, SelectionError};
 
 /// Two sensors of one record, equally long; a NaN marks a gap.
 #[derive(Debug)]
 pub(crate) struct Pair {
-    pub(crate) period: SamplePeriod,
+    pub(crate) format: Format,
+    /// Where the file says it.
+    pub(crate) period_s: Option<f64>,
     pub(crate) input: Vec<f64>,
     pub(crate) output: Vec<f64>,
+    /// The stretches without a gap, in order, none empty.
+    pub(crate) stretches: Vec<Range<usize>>,
 }
 
-/// Reads the columns `input` and `output` of a file. Its time must advance evenly, gaps included.
+/// Reads the channels `input` and `output` of a file. Its time must advance evenly, but for gaps; only text must have one.
 pub(crate) fn load(
     file: &Path,
-    input: &str,
-    output: &str,
+    [input, output]: [&str; 2],
     time: Option<&str>,
 ) -> Result<Pair, CommandError> {
-    let opened =
-        File::open(file).map_err(|source| CommandError::Read { file: file.to_owned(), source })?;
-    let columns = csv::read(file, BufReader::new(opened), Missing::IsGap)?;
-    pair(file, columns, [input, output], time)
-}
-
-fn pair<R: Read>(
-    file: &Path,
-    mut columns: Columns<R>,
-    wanted: [&str; 2],
-    time: Option<&str>,
-) -> Result<Pair, CommandError> {
-    let selection = Selection { outputs: Vec::new(), time: time.map(str::to_owned) };
-    let time = time_column(file, &columns, &selection)?;
-    if let Some(row) = columns.values[time].iter().position(|stamp| stamp.is_nan()) {
-        return Err(CommandError::NotANumber {
-            file: file.to_owned(),
-            line: columns.line(row),
-            column: columns.names[time].clone(),
-            text: "NaN".to_owned(),
-        });
-    }
-    let period = sample_period(file, &columns, time)?;
-    let mut take = |name: &str| {
-        let index = columns.position(name).ok_or_else(|| no_such_column(file, &columns, name))?;
-        if index == time {
-            return Err(CommandError::TimeAsSensor { column: name.to_owned() });
-        }
-        Ok(std::mem::take(&mut columns.values[index]))
+    let time = time.map_or(TimeSource::UsualOrUnknown, |name| TimeSource::Column(name.to_owned()));
+    let selection = Selection { outputs: vec![input.to_owned(), output.to_owned()], time };
+    let mut selected = Selected::default();
+    let mut choose = |format: Format, headings: &[_]| {
+        selected = selection.select(file, format, headings).map_err(|error| match error {
+            CommandError::Selection(SelectionError::BadOutputs { column, why: "twice" }) => {
+                CommandError::SameColumn { column }
+            }
+            CommandError::Selection(SelectionError::BadOutputs { column, .. }) => {
+                CommandError::TimeAsSensor { column }
+            }
+            other => other,
+        })?;
+        Ok(selected.sensors.iter().chain(&selected.time).map(|wanted| wanted.index).collect())
     };
-    let (input, output) = (take(wanted[0])?, take(wanted[1])?);
-    Ok(Pair { period, input, output })
+    let mut table = source::read(file, &mut choose, Progress::Shown)?;
+    let factor = selected.time.map(|time| time.factor);
+    let times = Times::take(file, &mut table, factor, &selection.time)?;
+    for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {
+        scale(values, sensor.factor);
+    }
+    let rows = 0..times.samples();
+    let even = times.sampling(file, &table, rows.clone())?;
+    let channels: Vec<&[f64]> = table.values.iter().map(Vec::as_slice).collect();
+    let stretches = segments(rows, &even.after_gaps, &channels);
+    let mut values = table.values.into_iter();
+    let (input, output) = (values.next().unwrap_or_default(), values.next().unwrap_or_default());
+    let period_s = factor.map(|_| even.period_s);
+    Ok(Pair { format: table.format, period_s, input, output, stretches })
 }
 
 #[cfg(test)]

@@ -12,50 +12,120 @@ const LARGEST_JITTER: f64 = 0.01;
 /// picosecond, and no record of one system has samples 30 000 years apart. Within, eigenvalues neither overflow nor vanish.
 const PERIODS_S: RangeInclusive<f64> = 1e-12..=1e12;
 
+/// A step of more periods than this is no late sample but a gap, if it is close to a whole number of periods.
+const SHORTEST_GAP: f64 = 1.5;
+
+/// How far from a whole number of periods a gap may be. A recorder that drops samples keeps its clock; one that was started again does not,
+/// and what it writes is another record.
+const LARGEST_OFFSET: f64 = 0.1;
+
+/// The usual step is the median of at most so many steps, spread over the record.
+const MOST_STEPS: usize = 100_000;
+
+/// How many places of a fault are named.
+const NAMED: usize = 4;
+
 /// What time stamps say.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Sampling {
-    /// Equal steps of that many seconds.
-    Even { period_s: f64 },
+    /// Equal steps, but for gaps.
+    Even(Even),
     /// The usual step is no sample period.
     OutOfRange { period_s: f64 },
-    /// The first step that is at fault ends at sample `index` and is no step forward: negative or zero.
-    Backward { index: usize, step_s: f64 },
-    /// The first step that is at fault ends at sample `index` and differs from the usual one.
-    Uneven { index: usize, step_s: f64, period_s: f64 },
+    /// Some steps are no steps forward: negative or zero.
+    Backward(Fault),
+    /// Some steps differ from the usual one.
+    Uneven(Fault),
 }
 
-/// Judges time stamps in seconds; `None` with fewer than two.
+/// Steps that are equal, but for gaps.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Even {
+    pub(crate) period_s: f64,
+    /// The largest deviation of a step from the period, as a part of it, gaps apart.
+    pub(crate) jitter: f64,
+    /// Indices of the samples that follow a gap. Ascending.
+    pub(crate) after_gaps: Vec<usize>,
+}
+
+/// Steps at fault.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fault {
+    /// The sample that the first of them leads to.
+    pub(crate) index: usize,
+    pub(crate) step_s: f64,
+    /// The usual step.
+    pub(crate) period_s: f64,
+    /// The samples that the next few lead to.
+    pub(crate) others: Vec<usize>,
+    /// How many there are behind the first.
+    pub(crate) other_count: usize,
+}
+
+/// Judges finite time stamps in seconds; `None` with fewer than two.
 pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
-    let steps: Vec<f64> = time_s.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let (first, last) = (time_s.first()?, time_s.last()?);
-    let usual = median(&steps)?;
+    let usual = usual_step(time_s)?;
     if usual > 0.0 && !PERIODS_S.contains(&usual) {
         return Some(Sampling::OutOfRange { period_s: without_rounding(usual) });
     }
-    let fault = steps
-        .iter()
-        .position(|step| !(*step > 0.0 && (step - usual).abs() <= LARGEST_JITTER * usual));
-    Some(match fault {
-        Some(index) if steps[index] <= 0.0 => {
-            Sampling::Backward { index: index + 1, step_s: without_rounding(steps[index]) }
+    let steps = || time_s.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
+    if let Some(fault) = fault(steps(), usual, |step| step.is_nan() || step <= 0.0) {
+        return Some(Sampling::Backward(fault));
+    }
+    if let Some(fault) = fault(steps(), usual, |step| !is_even(step, usual) && !is_gap(step, usual))
+    {
+        return Some(Sampling::Uneven(fault));
+    }
+    let (mut jitter, mut inside_s, mut count, mut after_gaps) = (0.0_f64, 0.0, 0_u64, Vec::new());
+    for (index, step) in steps() {
+        if is_even(step, usual) {
+            jitter = jitter.max((step / usual - 1.0).abs());
+            inside_s += step;
+            count += 1;
+        } else {
+            after_gaps.push(index + 1);
         }
-        Some(index) => Sampling::Uneven {
-            index: index + 1,
-            step_s: without_rounding(steps[index]),
-            period_s: without_rounding(usual),
-        },
-        // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
-        // so that records of different length have the same period.
-        #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
-        None => Sampling::Even { period_s: without_rounding((last - first) / steps.len() as f64) },
-    })
+    }
+    // Without gaps the ends alone say it, and no rounding adds up.
+    if let (true, [first, .., last]) = (after_gaps.is_empty(), time_s) {
+        inside_s = last - first;
+    }
+    // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
+    // so that records of different length have the same period.
+    #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
+    let period_s = without_rounding(inside_s / count as f64);
+    Some(Sampling::Even(Even { period_s, jitter, after_gaps }))
 }
 
-fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied()
+fn is_even(step: f64, usual: f64) -> bool {
+    (step - usual).abs() <= LARGEST_JITTER * usual
+}
+
+fn is_gap(step: f64, usual: f64) -> bool {
+    let periods = step / usual;
+    periods > SHORTEST_GAP && (periods - periods.round()).abs() <= LARGEST_OFFSET
+}
+
+fn fault(
+    steps: impl Iterator<Item = (usize, f64)>,
+    usual: f64,
+    is_fault: impl Fn(f64) -> bool,
+) -> Option<Fault> {
+    let mut faults = steps.filter(|(_, step)| is_fault(*step));
+    let (first, step) = faults.next()?;
+    let others: Vec<usize> = faults.by_ref().take(NAMED).map(|(index, _)| index + 1).collect();
+    let other_count = others.len() + faults.count();
+    let (step_s, period_s) = (without_rounding(step), without_rounding(usual));
+    Some(Fault { index: first + 1, step_s, period_s, others, other_count })
+}
+
+/// The median step; `None` without one.
+fn usual_step(time_s: &[f64]) -> Option<f64> {
+    let stride = (time_s.len() / MOST_STEPS).max(1);
+    let mut steps: Vec<f64> =
+        time_s.windows(2).step_by(stride).map(|pair| pair[1] - pair[0]).collect();
+    let middle = steps.len() / 2;
+    (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// The value with 12 significant digits: what is left of 0.1 after subtracting stamps near 200 s.

@@ -1,0 +1,51 @@
+//! The part of a command line that says which files are records and what of them is used.
+
+use std::num::NonZero;
+use std::path::PathBuf;
+
+use crate::records::options::{factor, period, time_source};
+use crate::records::{LoadOptions, Selection, Window};
+
+/// Files and what of them becomes records.
+#[derive(Debug, clap::Args)]
+pub(crate) struct FileArgs {
+    /// The records: text with a header (.csv, .tsv, .txt, also .gz), MATLAB (.mat, -v7), NumPy (.npy, .npz).
+    #[arg(required_unless_present = "window", num_args = 1.., value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// The sensors to use, in that order [default: all columns but time].
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
+    pub(crate) outputs: Vec<String>,
+
+    /// The column of time [default: the one called time, t or timestamp].
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) time: Option<String>,
+
+    /// The time between two samples, for files without a column of time.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "time", value_parser = period, allow_negative_numbers = true)]
+    pub(crate) sample_period: Option<f64>,
+
+    /// Use only this stretch of a file, in seconds of its own time; several windows of one file are several records.
+    #[arg(long, value_name = "FILE:START:END", value_parser = Window::parse)]
+    pub(crate) window: Vec<Window>,
+
+    /// Keep every K-th sample, behind a low-pass filter that takes about 13 of them at either end.
+    #[arg(long, value_name = "K", default_value = "1", hide_default_value = true, value_parser = factor, allow_negative_numbers = true)]
+    pub(crate) decimate: NonZero<usize>,
+}
+
+impl FileArgs {
+    /// What the words ask for. Names are trimmed, as those in a file are.
+    pub(crate) fn options(&self) -> LoadOptions {
+        let outputs = self.outputs.iter().map(|name| name.trim().to_owned()).collect();
+        let time = time_source(self.time.as_deref(), self.sample_period);
+        let selection = Selection { outputs, time };
+        LoadOptions { selection, windows: self.window.clone(), decimate: self.decimate }
+    }
+
+    /// All files that are read.
+    pub(crate) fn paths(&self) -> Vec<&std::path::Path> {
+        let windows = self.window.iter().map(|window| window.file.as_path());
+        self.files.iter().map(PathBuf::as_path).chain(windows).collect()
+    }
+}

@@ -1,0 +1,49 @@
+//! The command line of `transmode inspect`.
+
+use std::path::PathBuf;
+
+use crate::records::Selection;
+use crate::records::options::{period, time_source};
+
+/// Says what is in files before anything is made of them.
+///
+/// Channels, units, sampling and gaps; for each channel its range, outliers, stuck stretches and saturation; which columns look like sideslip,
+/// roll rate and yaw rate, as a command line that is ready to use.
+#[derive(Debug, clap::Args)]
+#[command(after_help = INSPECT_HELP)]
+pub(crate) struct InspectArgs {
+    /// The files, in any format that identify reads.
+    #[arg(required = true, num_args = 1.., value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// The channels to look at [default: all columns but time].
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
+    pub(crate) outputs: Vec<String>,
+
+    /// The column of time [default: the one called time, t or timestamp].
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) time: Option<String>,
+
+    /// The time between two samples, for files without a column of time.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "time", value_parser = period, allow_negative_numbers = true)]
+    pub(crate) sample_period: Option<f64>,
+
+    /// Write the result as JSON to this file, or to standard output in place of the text with -.
+    #[arg(long, value_name = "FILE|-")]
+    pub(crate) json: Option<PathBuf>,
+}
+
+impl InspectArgs {
+    /// The columns that the words ask for.
+    pub(crate) fn selection(&self) -> Selection {
+        let outputs = self.outputs.iter().map(|name| name.trim().to_owned()).collect();
+        Selection { outputs, time: time_source(self.time.as_deref(), self.sample_period) }
+    }
+}
+
+const INSPECT_HELP: &str = "\
+Examples:
+  transmode inspect flight.mat
+  transmode inspect aileron.csv rudder.csv --json -
+
+Exit codes: 0 nothing keeps the files from being used; 1 something does, and a line says what; 2 a file cannot be read.";

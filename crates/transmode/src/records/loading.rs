@@ -1,0 +1,254 @@
+//! The way from files to records.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use lti::SamplePeriod;
+use reconstruct::{Channel, Record};
+
+use super::decimation::{self, Decimator};
+use super::format::Format;
+use super::in_file;
+use super::options::{LoadOptions, Window};
+use super::progress::Progress;
+use super::segments::{SHORTEST, segments};
+use super::selection::Selected;
+use super::source;
+use super::table::Table;
+use super::timing::{Times, scale};
+use super::warning::LoadWarning;
+use crate::{CommandError, SelectionError};
+
+/// Records and where they come from.
+#[derive(Debug)]
+pub(crate) struct Loaded {
+    /// In the order of the files; the windows of a file, and its stretches between gaps, in their own order.
+    pub(crate) records: Vec<Record>,
+    /// One for each record.
+    pub(crate) sources: Vec<Source>,
+    pub(crate) warnings: Vec<LoadWarning>,
+}
+
+/// Where a record comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Source {
+    pub(crate) file: PathBuf,
+    pub(crate) format: Format,
+    /// The time of its first and of its last sample, in seconds of the file's own time.
+    pub(crate) span_s: [f64; 2],
+    /// The unit of each channel after conversion, where the file states one.
+    pub(crate) units: Vec<Option<&'static str>>,
+}
+
+/// Reads the records in `files`, and those in windows of files that are not among them.
+///
+/// # Errors
+///
+/// Whatever is wrong with the first file that is at fault: one sentence with the place and the remedy.
+pub(crate) fn load(
+    files: &[PathBuf],
+    options: &LoadOptions,
+    progress: Progress,
+) -> Result<Loaded, CommandError> {
+    options.selection.check()?;
+    let files = with_windows(files, &options.windows)?;
+    let mut loaded = Loaded { records: Vec::new(), sources: Vec::new(), warnings: Vec::new() };
+    for (file, windows) in &files {
+        read(file, windows, options, progress, &mut loaded)?;
+    }
+    Ok(loaded)
+}
+
+/// Each file once, with its windows.
+fn with_windows<'a>(
+    files: &'a [PathBuf],
+    windows: &'a [Window],
+) -> Result<Vec<(&'a Path, Vec<&'a Window>)>, CommandError> {
+    let mut found: Vec<(&Path, Vec<&Window>)> = Vec::new();
+    for file in files {
+        if found.iter().any(|(other, _)| is_same(other, file)) {
+            return Err(SelectionError::SameFile { file: file.clone() }.into());
+        }
+        found.push((file, Vec::new()));
+    }
+    for window in windows {
+        match found.iter_mut().find(|(file, _)| is_same(file, &window.file)) {
+            Some((_, windows)) => windows.push(window),
+            None => found.push((&window.file, vec![window])),
+        }
+    }
+    Ok(found)
+}
+
+fn is_same(a: &Path, b: &Path) -> bool {
+    a == b || a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
+}
+
+/// A file in memory: its sensors in SI, and their times.
+struct Recording<'a> {
+    file: &'a Path,
+    table: Table,
+    times: Times,
+    units: Vec<Option<&'static str>>,
+}
+
+fn read(
+    file: &Path,
+    windows: &[&Window],
+    options: &LoadOptions,
+    progress: Progress,
+    loaded: &mut Loaded,
+) -> Result<(), CommandError> {
+    let mut recording = recording(file, options, progress)?;
+    let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+    if windows.is_empty() {
+        let rows = 0..recording.times.samples();
+        return recording.records(name, rows, options, loaded);
+    }
+    for window in windows {
+        let rows = recording.times.within(window.start_s, window.end_s);
+        if rows.is_empty() {
+            let last = recording.times.samples().saturating_sub(1);
+            return Err(SelectionError::WindowOutside {
+                file: file.to_owned(),
+                start_s: window.start_s.unwrap_or(f64::NEG_INFINITY),
+                end_s: window.end_s.unwrap_or(f64::INFINITY),
+                first_s: recording.times.at(0),
+                last_s: recording.times.at(last),
+            }
+            .into());
+        }
+        recording.records(format!("{name}{}", window.suffix()), rows, options, loaded)?;
+    }
+    Ok(())
+}
+
+fn recording<'a>(
+    file: &'a Path,
+    options: &LoadOptions,
+    progress: Progress,
+) -> Result<Recording<'a>, CommandError> {
+    let mut selected: Option<Selected> = None;
+    let mut choose = |format: Format, headings: &[_]| {
+        let found = options.selection.select(file, format, headings)?;
+        // Time comes last.
+        let chosen = found.sensors.iter().chain(&found.time).map(|wanted| wanted.index).collect();
+        selected = Some(found);
+        Ok(chosen)
+    };
+    let mut table = source::read(file, &mut choose, progress)?;
+    let Selected { time, sensors } = selected.unwrap_or_default();
+    let times =
+        Times::take(file, &mut table, time.map(|time| time.factor), &options.selection.time)?;
+    for (values, sensor) in table.values.iter_mut().zip(&sensors) {
+        scale(values, sensor.factor);
+    }
+    let units = sensors.iter().map(|sensor| sensor.si).collect();
+    Ok(Recording { file, table, times, units })
+}
+
+impl Recording<'_> {
+    /// The records in a range of samples: one, or one for each stretch between gaps.
+    fn records(
+        &mut self,
+        name: String,
+        rows: Range<usize>,
+        options: &LoadOptions,
+        loaded: &mut Loaded,
+    ) -> Result<(), CommandError> {
+        let even = self.times.sampling(self.file, &self.table, rows.clone())?;
+        let channels: Vec<&[f64]> = self.table.values.iter().map(Vec::as_slice).collect();
+        let mut stretches = segments(rows.clone(), &even.after_gaps, &channels);
+        let is_whole = stretches.as_slice() == std::slice::from_ref(&rows);
+        if !is_whole {
+            stretches = self.long_enough(&name, stretches, &mut loaded.warnings)?;
+        }
+        let is_one = stretches.len() == 1;
+        for (index, stretch) in stretches.into_iter().enumerate() {
+            let name = if is_one { name.clone() } else { format!("{name}#{}", index + 1) };
+            self.record(name, stretch, even.period_s, options, loaded)?;
+        }
+        Ok(())
+    }
+
+    /// Leaves out what is too short, and says what gaps did.
+    fn long_enough(
+        &self,
+        record: &str,
+        mut stretches: Vec<Range<usize>>,
+        warnings: &mut Vec<LoadWarning>,
+    ) -> Result<Vec<Range<usize>>, CommandError> {
+        let record = record.to_owned();
+        if let [_, second, ..] = &stretches[..] {
+            let (stretches, place) = (stretches.len(), self.table.places.of(second.start));
+            warnings.push(LoadWarning::Split { record: record.clone(), stretches, place });
+        }
+        let longest = stretches.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
+        let short = || stretches.iter().filter(|stretch| stretch.len() < SHORTEST);
+        let (count, samples) = (short().count(), short().map(ExactSizeIterator::len).sum());
+        if longest < SHORTEST {
+            let file = self.file.to_owned();
+            return Err(SelectionError::OnlyGaps { file, needed: SHORTEST, longest }.into());
+        }
+        if count > 0 {
+            warnings.push(LoadWarning::ShortStretches { record, count, samples });
+        }
+        stretches.retain(|stretch| stretch.len() >= SHORTEST);
+        Ok(stretches)
+    }
+
+    fn record(
+        &mut self,
+        name: String,
+        stretch: Range<usize>,
+        period_s: f64,
+        options: &LoadOptions,
+        loaded: &mut Loaded,
+    ) -> Result<(), CommandError> {
+        let factor = options.decimate;
+        let needed = decimation::length(factor);
+        if stretch.len() < needed {
+            let (file, found) = (self.file.to_owned(), stretch.len());
+            return Err(
+                SelectionError::Decimation { file, factor: factor.get(), needed, found }.into()
+            );
+        }
+        let decimator = Decimator::new(factor);
+        let margin = decimator.margin();
+        let is_all = stretch == (0..self.times.samples());
+        let mut channels = Vec::new();
+        for index in 0..self.table.values.len() {
+            let values = &mut self.table.values[index];
+            let values = if factor.get() > 1 {
+                decimator.decimate(&values[stretch.clone()])
+            } else if is_all && options.windows.is_empty() {
+                // The only record of its file: nobody needs the numbers any more.
+                std::mem::take(values)
+            } else {
+                values[stretch.clone()].to_vec()
+            };
+            channels.push(Channel::new(self.table.heading(index).name.clone(), values));
+        }
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "a factor that fits a record is far below 2^53"
+        )]
+        let period = SamplePeriod::new(period_s * factor.get() as f64);
+        let period = period.map_err(|error| in_file(self.file, &error))?;
+        let record =
+            Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;
+        let first = stretch.start + margin;
+        let last = first + (record.samples().saturating_sub(1)) * factor.get();
+        loaded.records.push(record);
+        loaded.sources.push(Source {
+            file: self.file.to_owned(),
+            format: self.table.format,
+            span_s: [self.times.at(first), self.times.at(last)],
+            units: self.units.clone(),
+        });
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,193 @@
+//! MATLAB files of level 5 (`save -v7` and `-v6`): the numeric vectors and matrices in them are channels.
+//!
+//! A vector is a channel, called like the variable; a matrix `x` of samples x channels has the channels `x_1`, `x_2` and so on. Single numbers
+//! and whatever is no numeric array are passed over unless they are asked for.
+//!
+//! The format is read here, in two small files. The crates for it: matfile 0.5.0 (October 2024) panics on a damaged size, prints to standard output,
+//! and refuses doubles that Octave shortened to bytes; matio-rs binds a C library that would have to be installed.
+//!
+//! Format: The MathWorks, "MAT-File Format", level 5.
+
+mod element;
+
+use std::io::{Error, ErrorKind, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use flate2::read::ZlibDecoder;
+
+use super::format::Format;
+use super::format_error::FormatError;
+use super::table::{Choose, Heading, Places, Table};
+use super::{finite, in_file};
+use crate::CommandError;
+use element::{Ends, Tag, Variable};
+
+/// Bytes of the header.
+const HEADER: u64 = 128;
+
+/// The types of an element on the outermost level.
+const MATRIX: u32 = 14;
+const COMPRESSED: u32 = 15;
+
+/// More columns than this are refused: the matrix is the wrong way round.
+const MOST_COLUMNS: u64 = 10_000;
+
+/// Why a file was not read.
+#[derive(Debug)]
+enum MatError {
+    Read(Error),
+    Damaged(&'static str),
+}
+
+impl From<Error> for MatError {
+    fn from(error: Error) -> Self {
+        match error.kind() {
+            ErrorKind::UnexpectedEof => Self::Damaged("it ends there"),
+            // What the decompressor says.
+            ErrorKind::InvalidData | ErrorKind::InvalidInput => {
+                Self::Damaged("what is compressed is garbled")
+            }
+            _ => Self::Read(error),
+        }
+    }
+}
+
+/// A variable and where its element starts.
+struct Place {
+    at: u64,
+    variable: Variable,
+}
+
+/// Reads the chosen channels of a file of `length` bytes.
+pub(crate) fn read(
+    file: &Path,
+    mut source: impl Read + Seek,
+    length: u64,
+    choose: &mut Choose<'_>,
+) -> Result<Table, CommandError> {
+    let fault = |at: u64, error| match error {
+        MatError::Read(source) => CommandError::Read { file: file.to_owned(), source },
+        MatError::Damaged(what) => in_file(file, &FormatError::DamagedMat { at, what }),
+    };
+    let ends = ends(&mut source).map_err(|error| fault(0, error))?;
+    let mut places: Vec<Place> = Vec::new();
+    let mut at = HEADER;
+    while at < length {
+        let mut each = |element: &mut dyn Read| Variable::read(element, ends);
+        let (variable, next) =
+            visit(&mut source, ends, at, &mut each).map_err(|error| fault(at, error))?;
+        if next > length {
+            return Err(fault(at, MatError::Damaged("the file ends within a variable")));
+        }
+        places.extend(variable.flatten().map(|variable| Place { at, variable }));
+        at = next;
+    }
+    let (headings, homes) = headings(&places);
+    if headings.iter().all(|heading| heading.fault.is_some()) {
+        return Err(in_file(file, &FormatError::NoNumbers { found: kinds(&places) }));
+    }
+    let chosen = choose(Format::Mat, &headings)?;
+    let mut values = vec![Vec::new(); chosen.len()];
+    for (index, place) in places.iter().enumerate() {
+        let mut wanted: Vec<(usize, usize)> = Vec::new();
+        for (slot, channel) in chosen.iter().enumerate() {
+            if homes[*channel].0 == index {
+                wanted.push((homes[*channel].1, slot));
+            }
+        }
+        if wanted.is_empty() {
+            continue;
+        }
+        let mut each = |element: &mut dyn Read| {
+            let Some(variable) = Variable::read(element, ends)? else { return Ok(()) };
+            variable.numbers(element, ends, |column, number| {
+                for (_, slot) in wanted.iter().filter(|(wanted, _)| *wanted == column) {
+                    values[*slot].push(number);
+                }
+            })
+        };
+        visit(&mut source, ends, place.at, &mut each).map_err(|error| fault(place.at, error))?;
+    }
+    finite(file, Table { format: Format::Mat, headings, chosen, values, places: Places::Samples })
+}
+
+/// The order of bytes, from the header.
+fn ends(source: &mut impl Read) -> Result<Ends, MatError> {
+    let mut header = [0; 128];
+    source.read_exact(&mut header)?;
+    match &header[124..] {
+        [0, 1, b'I', b'M'] => Ok(Ends::Little),
+        [1, 0, b'M', b'I'] => Ok(Ends::Big),
+        _ => Err(MatError::Damaged("its header says no version that is known")),
+    }
+}
+
+/// Has the matrix that starts at `at` read, unpacked; `None` if something else starts there. Also says where the next element starts.
+fn visit<T>(
+    source: &mut (impl Read + Seek),
+    ends: Ends,
+    at: u64,
+    each: &mut dyn FnMut(&mut dyn Read) -> Result<T, MatError>,
+) -> Result<(Option<T>, u64), MatError> {
+    source.seek(SeekFrom::Start(at))?;
+    let tag = Tag::read(source, ends)?;
+    let next = at + 8 + u64::from(tag.size);
+    let mut element = source.take(u64::from(tag.size));
+    let found = match tag.kind {
+        MATRIX => Some(each(&mut element)?),
+        COMPRESSED => {
+            let mut unpacked = ZlibDecoder::new(element);
+            let inner = Tag::read(&mut unpacked, ends)?;
+            if inner.kind == MATRIX {
+                Some(each(&mut unpacked.take(u64::from(inner.size)))?)
+            } else {
+                None
+            }
+        }
+        _ => None,
+    };
+    Ok((found, next))
+}
+
+/// The channels, and for each its variable and its column there.
+fn headings(places: &[Place]) -> (Vec<Heading>, Vec<(usize, usize)>) {
+    let (mut headings, mut homes) = (Vec::new(), Vec::new());
+    for (index, Place { variable, .. }) in places.iter().enumerate() {
+        match variable.shape() {
+            Ok([rows, columns]) if columns > rows || columns > MOST_COLUMNS => {
+                let fault = format!(
+                    "the matrix has {rows} rows and {columns} columns; samples x channels are needed: transpose it"
+                );
+                headings.push(Heading { fault: Some(fault), ..Heading::named(&variable.name) });
+                homes.push((index, 0));
+            }
+            Ok([rows, columns]) => {
+                for column in 0..columns {
+                    let name = if columns == 1 {
+                        variable.name.clone()
+                    } else {
+                        format!("{}_{}", variable.name, column + 1)
+                    };
+                    headings.push(Heading {
+                        samples: usize::try_from(rows).ok(),
+                        ..Heading::named(name)
+                    });
+                    homes.push((index, usize::try_from(column).unwrap_or(usize::MAX)));
+                }
+            }
+            Err(fault) => {
+                headings.push(Heading { fault: Some(fault), ..Heading::named(&variable.name) });
+                homes.push((index, 0));
+            }
+        }
+    }
+    (headings, homes)
+}
+
+/// What there is instead of numbers.
+fn kinds(places: &[Place]) -> String {
+    let mut kinds: Vec<_> = places.iter().map(|place| place.variable.kind()).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    if kinds.is_empty() { "nothing".to_owned() } else { kinds.join(", ") }
+}

@@ -1,0 +1,131 @@
+//! NPZ files, as `numpy.savez` writes them: a ZIP archive with an NPY file for each array.
+//!
+//! Arrays of one dimension are channels, called like the array; a 2-D array `x` of samples x channels has the channels `x_0`, `x_1` and so
+//! on, unless it is the only array: then `0`, `1`. Arrays with a single number, and those that hold no floats, are passed over unless they are
+//! asked for.
+
+use std::io::{Cursor, Read, Seek};
+use std::path::Path;
+
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use super::binary::Placement;
+use super::format::Format;
+use super::format_error::FormatError;
+use super::npy::{self, NpyError};
+use super::table::{Choose, Heading, Places, Table};
+use super::{finite, in_file};
+use crate::CommandError;
+
+/// One array of the archive.
+struct Member {
+    index: usize,
+    name: String,
+    placement: Result<Placement, FormatError>,
+}
+
+/// Reads the chosen channels.
+pub(crate) fn read(
+    file: &Path,
+    source: impl Read + Seek,
+    choose: &mut Choose<'_>,
+) -> Result<Table, CommandError> {
+    let fault = |error: &FormatError| in_file(file, error);
+    let mut archive = ZipArchive::new(source).map_err(|error| fault(&damaged(&error)))?;
+    let members = members(&mut archive).map_err(|error| fault(&error))?;
+    if members.is_empty() {
+        let is_sheet = ["xl/workbook.xml", "content.xml"]
+            .iter()
+            .any(|name| archive.index_for_name(name).is_some());
+        return Err(fault(if is_sheet {
+            &FormatError::Spreadsheet
+        } else {
+            &FormatError::NoArrays
+        }));
+    }
+    // For each channel its member and its index there.
+    let (mut headings, mut homes) = (Vec::new(), Vec::new());
+    for (at, member) in members.iter().enumerate() {
+        match &member.placement {
+            Ok(placement) => {
+                let samples = usize::try_from(placement.samples()).ok();
+                for channel in 0..placement.channels() {
+                    let name = match placement.channels() {
+                        1 => member.name.clone(),
+                        _ if members.len() == 1 => channel.to_string(),
+                        _ => format!("{}_{channel}", member.name),
+                    };
+                    headings.push(Heading { samples, ..super::text::heading(&name) });
+                    homes.push((at, usize::try_from(channel).unwrap_or(usize::MAX)));
+                }
+            }
+            Err(error) => {
+                headings.push(Heading {
+                    fault: Some(error.to_string()),
+                    ..super::text::heading(&member.name)
+                });
+                homes.push((at, 0));
+            }
+        }
+    }
+    let chosen = choose(Format::Npz, &headings)?;
+    let mut values = vec![Vec::new(); chosen.len()];
+    for (at, member) in members.iter().enumerate() {
+        let wanted: Vec<_> = chosen
+            .iter()
+            .map(|channel| homes[*channel])
+            .enumerate()
+            .filter(|(_, (home, _))| *home == at)
+            .collect();
+        let Ok(placement) = &member.placement else { continue };
+        if wanted.is_empty() {
+            continue;
+        }
+        let bytes = unpacked(&mut archive, member.index).map_err(|error| fault(&error))?;
+        let channels: Vec<_> = wanted.iter().map(|(_, (_, channel))| *channel).collect();
+        let read = placement.read(&mut Cursor::new(bytes), &channels, |_| ());
+        let read =
+            read.map_err(|error| fault(&FormatError::Archive { what: error.to_string() }))?;
+        for ((slot, _), column) in wanted.iter().zip(read) {
+            values[*slot] = column;
+        }
+    }
+    finite(file, Table { format: Format::Npz, headings, chosen, values, places: Places::Samples })
+}
+
+/// The arrays in the order of the archive.
+fn members(archive: &mut ZipArchive<impl Read + Seek>) -> Result<Vec<Member>, FormatError> {
+    let mut members = Vec::new();
+    for index in 0..archive.len() {
+        let mut entry = archive.by_index(index).map_err(|error| damaged(&error))?;
+        let name = entry.name().map(|name| name.into_owned()).map_err(|error| damaged(&error))?;
+        let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else { continue };
+        let length = entry.size();
+        let placement = match npy::any_placement(&mut entry, length) {
+            Ok(placement) => Ok(placement),
+            Err(NpyError::Format(error)) => Err(error),
+            Err(NpyError::Read(error)) => {
+                return Err(FormatError::Archive { what: error.to_string() });
+            }
+        };
+        members.push(Member { index, name, placement });
+    }
+    Ok(members)
+}
+
+/// The bytes of a member, no more than the archive says there are.
+fn unpacked(
+    archive: &mut ZipArchive<impl Read + Seek>,
+    index: usize,
+) -> Result<Vec<u8>, FormatError> {
+    let entry = archive.by_index(index).map_err(|error| damaged(&error))?;
+    let (mut bytes, length) = (Vec::new(), entry.size());
+    let read = entry.take(length).read_to_end(&mut bytes);
+    read.map_err(|error| FormatError::Archive { what: error.to_string() })?;
+    Ok(bytes)
+}
+
+fn damaged(error: &ZipError) -> FormatError {
+    FormatError::Archive { what: error.to_string() }
+}

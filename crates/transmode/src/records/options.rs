@@ -1,0 +1,103 @@
+//! What of the files becomes records.
+
+use std::num::NonZero;
+use std::path::PathBuf;
+
+use super::selection::{Selection, TimeSource};
+
+/// How files become records.
+#[derive(Clone, Debug)]
+pub(crate) struct LoadOptions {
+    pub(crate) selection: Selection,
+    /// Windows that replace the whole file, each a record of its own.
+    pub(crate) windows: Vec<Window>,
+    /// Every how many samples one is kept, behind a low-pass filter; 1 keeps all and filters nothing.
+    pub(crate) decimate: NonZero<usize>,
+}
+
+impl Default for LoadOptions {
+    /// All sensors, the usual column of time, whole files, all samples.
+    fn default() -> Self {
+        Self {
+            selection: Selection::default(),
+            windows: Vec::new(),
+            decimate: NonZero::<usize>::MIN,
+        }
+    }
+}
+
+/// A stretch of a file, both ends included.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Window {
+    pub(crate) file: PathBuf,
+    /// In seconds of the file's own time; from its beginning if absent.
+    pub(crate) start_s: Option<f64>,
+    /// To its end if absent.
+    pub(crate) end_s: Option<f64>,
+}
+
+impl Window {
+    /// Reads `FILE:START:END`. The file's name may hold colons, and either end may be left out.
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+        let mut parts = text.rsplitn(3, ':');
+        let (Some(end), Some(start), Some(file)) = (parts.next(), parts.next(), parts.next())
+        else {
+            return Err(
+                "a window is written FILE:START:END, in seconds of the file's own time".to_owned()
+            );
+        };
+        if file.is_empty() {
+            return Err("the file is missing in front of :START:END".to_owned());
+        }
+        let second = |text: &str| match text.trim() {
+            "" => Ok(None),
+            text => match text.parse::<f64>() {
+                Ok(value) if value.is_finite() => Ok(Some(value)),
+                _ => Err(format!("{text:?} is no time in seconds")),
+            },
+        };
+        let (start_s, end_s) = (second(start)?, second(end)?);
+        if let (Some(start), Some(end)) = (start_s, end_s)
+            && end <= start
+        {
+            return Err(format!(
+                "the window ends at {end} s, which is not after its start at {start} s; exchange them"
+            ));
+        }
+        Ok(Self { file: file.into(), start_s, end_s })
+    }
+
+    /// As it was asked for, behind the file's name.
+    pub(crate) fn suffix(&self) -> String {
+        let shown =
+            |second: Option<f64>| second.map_or_else(String::new, |second| second.to_string());
+        format!(":{}:{}", shown(self.start_s), shown(self.end_s))
+    }
+}
+
+/// A sample period given on the command line, in seconds.
+pub(crate) fn period(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(period_s) if (1e-12..=1e12).contains(&period_s) => Ok(period_s),
+        _ => Err("a sample period is a number of seconds from 1e-12 to 1e12".to_owned()),
+    }
+}
+
+/// A factor of decimation given on the command line.
+pub(crate) fn factor(text: &str) -> Result<NonZero<usize>, String> {
+    text.trim()
+        .parse()
+        .map_err(|_| "a factor is a whole number, at least 1; 1 keeps all samples".to_owned())
+}
+
+/// The source of time that the options `--time` and `--sample-period` ask for.
+pub(crate) fn time_source(column: Option<&str>, period_s: Option<f64>) -> TimeSource {
+    match (column, period_s) {
+        (Some(column), _) => TimeSource::Column(column.trim().to_owned()),
+        (None, Some(period_s)) => TimeSource::Period(period_s),
+        (None, None) => TimeSource::Usual,
+    }
+}
+
+#[cfg(test)]
+mod tests;

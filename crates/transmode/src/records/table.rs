@@ -1,0 +1,98 @@
+//! A file as a table of named channels, whatever its format.
+
+use crate::CommandError;
+use crate::records::format::Format;
+
+/// What a file says of one channel before its numbers are read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Heading {
+    /// Without blanks around it and without its unit.
+    pub(crate) name: String,
+    /// As it is written, without its brackets; `None` where the file says nothing.
+    pub(crate) unit: Option<String>,
+    /// Number of samples, where the file says it in advance.
+    pub(crate) samples: Option<usize>,
+    /// Why its numbers cannot be read, where it is known in advance.
+    pub(crate) fault: Option<String>,
+}
+
+/// The channels that were chosen. All are equally long.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    pub(crate) format: Format,
+    /// Of all channels of the file.
+    pub(crate) headings: Vec<Heading>,
+    /// Indices of those that were chosen, in the order chosen.
+    pub(crate) chosen: Vec<usize>,
+    /// `values[c][row]` of the chosen one `c`, in its own unit; NaN where nothing was recorded, never infinite.
+    pub(crate) values: Vec<Vec<f64>>,
+    pub(crate) places: Places,
+}
+
+/// Chooses channels by their headings: which indices, in which order, each at most once.
+pub(crate) type Choose<'a> = dyn FnMut(Format, &[Heading]) -> Result<Vec<usize>, CommandError> + 'a;
+
+/// What a message calls a row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Places {
+    /// By its line in the file.
+    Lines(RowLines),
+    /// By its index, from 0.
+    Samples,
+}
+
+/// On which line of a text each row of numbers stands.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct RowLines {
+    /// Rows that do not stand right below the row before, with their lines. Ascending.
+    jumps: Vec<(usize, u64)>,
+    rows: usize,
+    /// The line on which the next row is expected.
+    expected: u64,
+}
+
+impl Heading {
+    /// A channel that is called so and says no more.
+    pub(crate) fn named(name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..Self::default() }
+    }
+}
+
+impl Table {
+    pub(crate) fn rows(&self) -> usize {
+        self.values.first().map_or(0, Vec::len)
+    }
+
+    /// The heading of the chosen channel `column`.
+    pub(crate) fn heading(&self, column: usize) -> &Heading {
+        &self.headings[self.chosen[column]]
+    }
+}
+
+impl Places {
+    /// `line 12`, or `sample 10 (from 0)`.
+    pub(crate) fn of(&self, row: usize) -> String {
+        match self {
+            Self::Lines(lines) => format!("line {}", lines.line(row)),
+            Self::Samples => format!("sample {row} (from 0)"),
+        }
+    }
+}
+
+impl RowLines {
+    /// One more row, on this line.
+    pub(crate) fn push(&mut self, line: u64) {
+        if line != self.expected {
+            self.jumps.push((self.rows, line));
+        }
+        self.rows += 1;
+        self.expected = line + 1;
+    }
+
+    /// The line, from 1, of a row, from 0.
+    pub(crate) fn line(&self, row: usize) -> u64 {
+        let above = self.jumps.partition_point(|(first, _)| *first <= row);
+        let (first, line) = above.checked_sub(1).map_or((0, 0), |index| self.jumps[index]);
+        line + (row - first) as u64
+    }
+}

@@ -1,0 +1,109 @@
+//! How a text is written: what separates its fields, which lines are comments.
+
+use std::borrow::Cow;
+
+use memchr::memchr;
+
+use super::lines::Row;
+use super::quotes::Quotes;
+
+/// What may separate fields. Where two are equally frequent in the header, the first one does.
+const SEPARATORS: [u8; 3] = [b'\t', b';', b','];
+
+/// Whether a line holds neither names nor numbers.
+pub(super) fn is_comment(bytes: &[u8]) -> bool {
+    matches!(bytes.trim_ascii_start().first(), Some(b'#' | b'%'))
+}
+
+/// What separates the fields of a header: the most frequent candidate outside quotes.
+pub(super) fn separator(header: &[u8]) -> u8 {
+    let count = |separator: u8| {
+        let mut quotes = Quotes::new(separator);
+        let counted = header.iter().filter(|byte| {
+            let inside = quotes.open();
+            quotes.pass(std::slice::from_ref(byte));
+            **byte == separator && !inside
+        });
+        counted.count()
+    };
+    // The last of equal ones is the greatest.
+    SEPARATORS.into_iter().rev().max_by_key(|separator| count(*separator)).unwrap_or(b',')
+}
+
+/// Calls `each` with every field of a row, blanks around it cut off, and returns how many there were.
+pub(super) fn fields<E>(
+    row: Row<'_>,
+    separator: u8,
+    mut each: impl FnMut(usize, &[u8]) -> Result<(), E>,
+) -> Result<usize, E> {
+    if row.quoted {
+        return quoted_fields(row.bytes, separator, each);
+    }
+    let (mut rest, mut index) = (row.bytes, 0);
+    loop {
+        let end = memchr(separator, rest);
+        each(index, rest[..end.unwrap_or(rest.len())].trim_ascii())?;
+        index += 1;
+        match end {
+            Some(end) => rest = &rest[end + 1..],
+            None => return Ok(index),
+        }
+    }
+}
+
+fn quoted_fields<E>(
+    bytes: &[u8],
+    separator: u8,
+    mut each: impl FnMut(usize, &[u8]) -> Result<(), E>,
+) -> Result<usize, E> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .delimiter(separator)
+        .buffer_capacity(256)
+        .from_reader(bytes);
+    let mut record = csv::ByteRecord::new();
+    // Memory can neither fail to be read nor hold rows of different lengths where there is one.
+    let _ = reader.read_byte_record(&mut record);
+    for (index, field) in record.iter().enumerate() {
+        each(index, field.trim_ascii())?;
+    }
+    Ok(record.len())
+}
+
+/// All fields of a row as text; `None` if one of them is not UTF-8.
+pub(super) fn texts(row: Row<'_>, separator: u8) -> Option<Vec<String>> {
+    let mut texts = Vec::new();
+    let text = |_, field: &[u8]| {
+        texts.push(std::str::from_utf8(field)?.trim().to_owned());
+        Ok::<(), std::str::Utf8Error>(())
+    };
+    fields(row, separator, text).ok().map(|_| texts)
+}
+
+/// A number as it is written, its decimal mark a point or, where commas do not separate fields, a comma.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Number {
+    /// NaN for an empty field and for `NaN`; may be infinite.
+    pub(super) value: f64,
+    pub(super) mark: Option<u8>,
+}
+
+/// Reads a field; `None` if it is no number.
+pub(super) fn number(field: &[u8], separator: u8) -> Option<Number> {
+    if field.is_empty() {
+        return Some(Number { value: f64::NAN, mark: None });
+    }
+    let mut mark = memchr(b'.', field).map(|_| b'.');
+    let mut text = Cow::Borrowed(std::str::from_utf8(field).ok()?);
+    if separator != b',' && memchr(b',', field).is_some() {
+        // Both marks in one number: one of them groups digits, and which one it is may not be guessed.
+        if mark.replace(b',').is_some() {
+            return None;
+        }
+        text = Cow::Owned(text.replace(',', "."));
+    }
+    text.parse().ok().map(|value| Number { value, mark })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,55 @@
+//! What there is to say of files that could be read.
+
+use std::fmt;
+
+use super::segments::SHORTEST;
+
+/// One thing that was done to a file and that its owner may not expect.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum LoadWarning {
+    /// Gaps split a file, or a window of it.
+    Split {
+        /// What the record would be called.
+        record: String,
+        /// How many stretches there are between gaps.
+        stretches: usize,
+        /// Where the second one starts.
+        place: String,
+    },
+    /// Stretches between gaps that were left out.
+    ShortStretches {
+        record: String,
+        count: usize,
+        /// Samples in them.
+        samples: usize,
+    },
+}
+
+impl LoadWarning {
+    /// A short name for other programs.
+    pub(crate) fn code(&self) -> &'static str {
+        match self {
+            Self::Split { .. } => "gaps",
+            Self::ShortStretches { .. } => "short-stretches",
+        }
+    }
+}
+
+impl fmt::Display for LoadWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Split { record, stretches, place } => write!(
+                f,
+                "gaps split {record} into {stretches} stretches, each a record of its own; the second starts at {place}"
+            ),
+            Self::ShortStretches { record, count, samples } => {
+                let (noun, verb) =
+                    if *count == 1 { ("stretch", "was") } else { ("stretches", "were") };
+                write!(
+                    f,
+                    "{count} {noun} of {record} between gaps, {samples} samples in all, {verb} left out: shorter than {SHORTEST} samples"
+                )
+            }
+        }
+    }
+}
