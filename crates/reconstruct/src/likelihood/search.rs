@@ -189,3 +189,6 @@ impl Tops {
         self.0.insert(place, top);
     }
 }
+
+#[cfg(test)]
+mod tests;

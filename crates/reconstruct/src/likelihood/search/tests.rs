@@ -1,0 +1,42 @@
+use num_complex::Complex;
+
+use super::super::fixtures::{Disturbance, Normal, fly, system};
+use super::*;
+use crate::likelihood::LikelihoodNoise;
+use crate::maximise;
+
+/// Starts with the slow mode decaying over a thirtieth of the record.
+#[test]
+fn slow_modes_are_found_on_the_other_side() {
+    let samples = 600;
+    let slow = (2.0 / 600.0_f64).exp();
+    let eigenvalues = [Complex::new(0.95, 0.17), Complex::new(0.9, 0.0), Complex::new(slow, 0.0)];
+    let disturbance = Disturbance { noise: 0.1, offset: 0.0, trend: 0.0, known: 0.0 };
+    let (mut higher, mut told) = (0, 0);
+    for seed in 1..=12 {
+        let mut normal = Normal::new(seed);
+        let truth = system(&eigenvalues, 3, 2, &mut normal);
+        let flights = fly(&truth, &[samples, samples], &disturbance, &mut normal);
+        let mut start = truth.clone();
+        let moved = slow_modes::moved(&truth.a, 600.0);
+        for elsewhere in &moved {
+            if elsewhere.eigenvalue < 0.96 {
+                start.a.clone_from(&elsewhere.a);
+            }
+        }
+        let mut options = LikelihoodOptions {
+            noise: LikelihoodNoise::Given(flights.levels.clone()),
+            ..LikelihoodOptions::default()
+        };
+        let moving = maximise(&flights.records, std::slice::from_ref(&start), &options).unwrap();
+        options.largest_moves = 0;
+        let still = maximise(&flights.records, &[start], &options).unwrap();
+        assert_eq!(still.moves, 0);
+        let (with, without) = (moving.chi_squared.value, still.chi_squared.value);
+        assert!(with <= without + SAME_TOP, "seed {seed}: {with} {without}");
+        higher += usize::from(with < without - 1.0);
+        told += usize::from(moving.moves > 0);
+        assert!(moving.rivals.iter().all(|rival| rival.above >= 0.0 && rival.above < RIVAL));
+    }
+    assert!(higher > 0 && told >= higher, "{higher} {told}");
+}
