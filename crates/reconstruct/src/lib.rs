@@ -64,8 +64,8 @@ pub use fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilit
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
-    FrequencyBand, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, Rival,
-    SearchReport, SearchStatus, StartReport, Trend, Whiteness, bootstrap, maximise,
+    FrequencyBand, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets,
+    Rival, SearchReport, SearchStatus, StartReport, Trend, Whiteness, bootstrap, maximise,
 };
 pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;

@@ -114,12 +114,13 @@ fn too_few(message: String) -> ReconstructError {
     ReconstructError::Option { name: "repetitions", message }
 }
 
-/// The options with the noise as the fit knows it, and those for the repetitions: levels that were estimated are estimated again.
+/// The options with noise and hold as the fit knows them, and those for the repetitions: levels that were estimated are estimated again.
 fn noises(
     fit: &LikelihoodFit,
     options: &LikelihoodOptions,
 ) -> (LikelihoodOptions, LikelihoodOptions) {
-    let (mut known, mut again) = (options.clone(), options.clone());
+    let mut known = LikelihoodOptions { hold: Some(fit.hold), ..options.clone() };
+    let mut again = known.clone();
     if let (LikelihoodNoise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
         let levels: Vec<f64> = levels.iter().map(|level| level.value).collect();
         again.noise = LikelihoodNoise::Estimated { first_guess: Some(levels.clone()) };
