@@ -26,7 +26,8 @@
 //! | `levenberg_marquardt.rs` | steps downhill |
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
 //! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
-//! | `bootstrap.rs` | deviations of modes from repeated noise |
+//! | `profile.rs` | intervals of real modes from the likelihood itself |
+//! | `bootstrap.rs`, `finished.rs` | deviations of modes from repeated noise; the problem of a fit that is finished |
 
 mod at_frequencies;
 mod bootstrap;
@@ -35,6 +36,7 @@ mod conclusion;
 mod direction;
 mod evaluation;
 mod feedback;
+mod finished;
 #[cfg(test)]
 pub(crate) mod fixtures;
 mod gamma;
@@ -46,6 +48,7 @@ mod lanes;
 mod levenberg_marquardt;
 mod noise_levels;
 mod options;
+mod profile;
 mod resolvent;
 mod search;
 mod slow_modes;
@@ -67,6 +70,7 @@ pub use levenberg_marquardt::SearchStatus;
 pub use options::{
     Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets, Trend,
 };
+pub use profile::profile_intervals;
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};

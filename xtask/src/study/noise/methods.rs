@@ -5,7 +5,7 @@ use poly::Poly;
 use reconstruct::{
     Directions, Hold, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method,
     ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel,
-    difference_zeros, maximise, reconstruct,
+    difference_zeros, maximise, profile_intervals, reconstruct,
 };
 
 use super::case::Case;
@@ -97,12 +97,32 @@ fn judged(
     Ok(Likelihood {
         errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), &truth),
         scores: scores(modes, &truth),
-        covered: covered(modes, &truth),
+        covered: covered_by_likelihood(pair, fit, modes, &truth)?,
         chi_squared: checked.chi_squared.per_degree_of_freedom(),
         converged: fit.search.levels_settled
             && matches!(fit.search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel),
         missed: missed(simulator, pair, fit)?,
     })
+}
+
+/// Whether the intervals of the real modes, from the likelihood itself, and the ellipse of the Dutch roll hold the truth.
+fn covered_by_likelihood(
+    pair: &Pair,
+    fit: &LikelihoodFit,
+    modes: &[ModeEstimate; 3],
+    truth: &TrueModes,
+) -> Result<[bool; 3], TaskError> {
+    let intervals = profile_intervals(&pair.records, fit, &LikelihoodOptions::default())
+        .map_err(TaskError::computation(PART))?;
+    let mut covered = covered(modes, truth);
+    let truth = truth.list();
+    for (mode, covered) in covered.iter_mut().enumerate() {
+        let place = fit.modes.iter().position(|other| *other == modes[mode]);
+        if let Some([low, high]) = place.and_then(|place| intervals[place]) {
+            *covered = (low..=high).contains(&truth[mode].re);
+        }
+    }
+    Ok(covered)
 }
 
 /// Whether the search ended below the top that the true system leads to.

@@ -112,9 +112,8 @@ fn free_entries_stay() {
     let before = here.d.clone();
     FirstOrder::new(&here.a).unwrap().tie(&mut here, &layout);
     for (now, before) in here.d.iter().zip(&before) {
-        assert_eq!(now[1], before[1]);
-        assert_ne!(now[0], before[0]);
-        assert_ne!(now[2], before[2]);
+        let moved = (now - before).abs();
+        assert!(moved[1] == 0.0 && moved[0] > 0.1 && moved[2] > 0.1, "{moved}");
     }
 }
 
