@@ -65,9 +65,9 @@ pub use fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilit
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
-    FrequencyBand, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets,
-    Rival, SearchReport, SearchStatus, StartReport, Trend, Whiteness, bootstrap, maximise,
-    profile_intervals,
+    FrequencyBand, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate,
+    OffsetTest, Offsets, Rival, SearchReport, SearchStatus, StartReport, Trend, Whiteness,
+    bootstrap, maximise, profile_intervals,
 };
 pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;

@@ -25,7 +25,7 @@
 //! | `search.rs`, `thinning.rs`, `slow_modes.rs` | over all starts and tops to the highest one |
 //! | `levenberg_marquardt.rs` | steps downhill |
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
-//! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
+//! | `uncertainty.rs`, `goodness.rs`, `offset_test.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness, offsets |
 //! | `profile.rs` | intervals of real modes from the likelihood itself |
 //! | `bootstrap.rs`, `finished.rs` | deviations of modes from repeated noise; the problem of a fit that is finished |
 
@@ -47,6 +47,7 @@ mod holds;
 mod lanes;
 mod levenberg_marquardt;
 mod noise_levels;
+mod offset_test;
 mod options;
 mod profile;
 mod resolvent;
@@ -67,6 +68,7 @@ use realfft::RealFftPlanner;
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use goodness::{ChiSquared, Whiteness};
 pub use levenberg_marquardt::SearchStatus;
+pub use offset_test::OffsetTest;
 pub use options::{
     Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets, Trend,
 };
@@ -111,6 +113,8 @@ pub struct LikelihoodFit {
     pub record_chi_squared: Vec<f64>,
     /// Whether the residuals of each record are white.
     pub whiteness: Vec<Whiteness>,
+    /// Whether the sensors read zero in trim; `None` where the options do not say that they do, or frequency zero is not used.
+    pub offset_test: Option<OffsetTest>,
     /// How the search ended.
     pub search: SearchReport,
     /// Each start that was given, in the order given.

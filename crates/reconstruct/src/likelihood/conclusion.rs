@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use super::climb::{Climb, settled_again};
 use super::evaluation::Problem;
 use super::hold::FirstOrder;
-use super::options::{LikelihoodNoise, LikelihoodOptions};
+use super::offset_test::offset_test;
+use super::options::{LikelihoodNoise, LikelihoodOptions, Offsets};
 use super::search::Found;
 use super::spectrum::count;
 use super::sums::Scalars;
@@ -59,6 +60,11 @@ pub(super) fn conclude(
             layout.sensors,
         ));
     }
+    let offset_test = if options.offsets == Offsets::Zero {
+        offset_test(problem, &evaluation, &variances, degrees_of_freedom)
+    } else {
+        None
+    };
     let parameters = uncertainty::covariance(&evaluation, &noise_part, layout);
     let period = records[0].period();
     let n = layout.order;
@@ -97,6 +103,7 @@ pub(super) fn conclude(
         chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),
         record_chi_squared,
         whiteness,
+        offset_test,
         search,
         starts: reports,
         best_start,

@@ -46,6 +46,23 @@ impl RecordSpectrum {
         self.z.len()
     }
 
+    /// The same without frequency zero.
+    pub(super) fn without_zero(&self) -> Self {
+        let mut rest = self.clone();
+        if self.starts_at_zero {
+            let (m, entries) = (self.offset_variance.len(), self.entries.len());
+            rest.z.remove(0);
+            rest.weight.remove(0);
+            rest.y.drain(..m);
+            rest.factors.drain(..entries);
+            if let Some(precision) = &mut rest.precision {
+                precision.drain(..m * m);
+            }
+            rest.starts_at_zero = false;
+        }
+        rest
+    }
+
     /// Real residuals: (m - 1) for each real number of the transform.
     pub(super) fn residuals(&self, sensors: usize) -> f64 {
         self.weight.iter().sum::<f64>() * count(sensors - 1)

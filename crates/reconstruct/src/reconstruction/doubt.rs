@@ -50,6 +50,11 @@ pub enum ReconstructionDoubt {
         /// The probability of autocorrelations as large, if they were white.
         p_value: f64,
     },
+    /// Frequency zero does not agree with the others: some sensor does not read zero in trim.
+    Offset {
+        /// The probability of a disagreement as large, if all did.
+        p_value: f64,
+    },
     /// The likelihood needs far more noise of a sensor than the signal subspaces show.
     LevelsDisagree {
         /// The sensor.
@@ -107,6 +112,11 @@ impl std::fmt::Display for ReconstructionDoubt {
             Self::ResidualsNotWhite { record, p_value } => write!(
                 f,
                 "record {record}: the residuals are not white (probability {p_value:.0e}): more than one excitation, disturbances, or too low an order"
+            ),
+            Self::Offset { p_value } => write!(
+                f,
+                "a sensor does not read zero in trim (probability {p_value:.0e} if all did), which pushes the slow modes: take offsets into account, or the \
+                 trim values out of the records"
             ),
             Self::LevelsDisagree { sensor, subspace, likelihood } => write!(
                 f,
@@ -187,6 +197,11 @@ pub(super) fn doubts(
             let record = whiteness.record.clone();
             doubts.push(ReconstructionDoubt::ResidualsNotWhite { record, p_value });
         }
+    }
+    if let Some(test) = fit.offset_test
+        && test.p_value < IMPROBABLE
+    {
+        doubts.push(ReconstructionDoubt::Offset { p_value: test.p_value });
     }
     for rival in &fit.rivals {
         doubts.push(ReconstructionDoubt::AnotherSystem {

@@ -2,7 +2,7 @@
 
 use super::flights::{AILERON, BOTH, RUDDER, two};
 use super::*;
-use crate::SubspaceDoubt;
+use crate::{Channel, SubspaceDoubt};
 
 fn says(found: &Reconstruction, doubt: impl Fn(&ReconstructionDoubt) -> bool) -> bool {
     found.doubts.iter().any(doubt)
@@ -55,6 +55,31 @@ fn a_second_excitation_in_a_record_is_doubted() {
             });
             assert!(named, "{pole} {ratio}: {:?}", found.doubts);
         }
+    }
+}
+
+#[test]
+fn an_offset_that_nobody_told_of_is_doubted() {
+    for (size, ratio) in [(0.1, 100.0), (0.3, 100.0), (1.0, 100.0), (1.0, 10.0)] {
+        let records: Vec<Record> = two([AILERON, RUDDER], 2000, 0.0, ratio, 31)
+            .iter()
+            .map(|record| {
+                let each = record.channels().iter().map(|channel| {
+                    let offset = size * crate::likelihood::rms(&channel.values);
+                    let values = channel.values.iter().map(|value| value + offset);
+                    Channel::new(channel.name.clone(), values.collect())
+                });
+                Record::new(record.name(), record.period(), each.collect()).unwrap()
+            })
+            .collect();
+        let offset =
+            |doubt: &ReconstructionDoubt| matches!(doubt, ReconstructionDoubt::Offset { .. });
+        let order = OrderChoice::Fixed(4);
+        let found = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
+        assert!(says(&found, offset), "{size} {ratio}: {:?}", found.doubts);
+        let free = Options { order, offsets: crate::Offsets::Free, ..Options::default() };
+        let found = reconstruct(&records, &free).unwrap();
+        assert!(!says(&found, offset), "{size} {ratio}: {:?}", found.doubts);
     }
 }
 
