@@ -139,10 +139,10 @@ fn the_printed_method_takes_the_longest_stretch() {
 fn a_measured_input_is_no_second_excitation() {
     let folder = Folder::new();
     let header = "time,beta,p,r,damper";
-    let damped = Flight { moved: [1.0, 0.3], samples: 800, ..AILERON }.columns();
+    let damped = Flight { moved: [1.0, 0.3], ..AILERON }.columns();
     let [time, beta, p, r, _, damper] = damped;
     let damped = folder.file("damped.csv", table(header, &[time, beta, p, r, damper]));
-    let [time, beta, p, r, none, _] = Flight { samples: 800, ..RUDDER }.columns();
+    let [time, beta, p, r, none, _] = RUDDER.columns();
     let rudder = folder.file("rudder.csv", table(header, &[time, beta, p, r, none]));
 
     let (ran, json) = identify(&[&damped, &rudder, "--known-input", "damper"]);
