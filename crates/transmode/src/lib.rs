@@ -4,6 +4,7 @@
 //! writes are read or written here; the crates below compute.
 
 mod args;
+mod doubts;
 mod error;
 mod fit;
 mod identify;
@@ -17,7 +18,7 @@ use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::{CommandError, Others, SelectionError, TableError, TimeError};
+pub use error::{CommandError, OptionError, Others, SelectionError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.
