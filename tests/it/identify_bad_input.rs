@@ -49,6 +49,7 @@ fn words_that_are_no_value() {
         (&["--offsets", "-0.1"], "offsets are zero, free, or positive standard deviations"),
         (&["--offsets", "0.1,NaN,0.1"], "offsets are zero, free, or positive"),
         (&["--offsets", "some"], "offsets are zero, free, or positive"),
+        (&["--hold", "second-order"], "invalid value 'second-order' for '--hold"),
         (&["--trend=perhaps"], "invalid value 'perhaps' for '--trend"),
         (&["--band", "5"], "a band is written LO:HI, two frequencies in rad/s"),
         (&["--band", "-1:5"], "a band is written LO:HI, two frequencies in rad/s, none negative"),
@@ -112,7 +113,8 @@ fn options_that_do_not_fit_the_records() {
 #[test]
 fn options_of_another_method() {
     let files = files();
-    let of_likelihood: [&[&str]; 3] = [&["--trend"], &["--band", "0:5"], &["--offsets", "0.1"]];
+    let of_likelihood: [&[&str]; 4] =
+        [&["--trend"], &["--band", "0:5"], &["--offsets", "0.1"], &["--hold", "zero-order"]];
     let of_both: [&[&str]; 7] = [
         &["--order", "4"],
         &["--offsets", "free"],

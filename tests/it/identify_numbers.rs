@@ -85,6 +85,14 @@ fn same_modes(json: &Value, whole: &Reconstruction) {
         };
         same(&found["deviation"]["re"], estimate.continuous.real_deviation(), "deviation");
         same(&found["deviation"]["im"], estimate.continuous.imaginary_deviation(), "deviation");
+        match expected.interval_95 {
+            Some(interval) => {
+                for (end, expected) in interval.into_iter().enumerate() {
+                    same(&found["eigenvalue_interval_95"][end], expected, "interval");
+                }
+            }
+            None => assert!(found["eigenvalue_interval_95"].is_null()),
+        }
         let [low, high] = estimate.natural_frequency_rad_s.interval_95();
         same(&found["frequency_interval_95_rad_s"][0], low, "low");
         same(&found["frequency_interval_95_rad_s"][1], high, "high");
@@ -97,6 +105,7 @@ fn agree(pair: &str, words: &[&str], change: impl FnOnce(&mut Options)) -> Value
     let records = files.each_ref().map(|file| record(file));
     let mut options = Options::default();
     change(&mut options);
+    options.profile = true;
     let expected = reconstruct(&records, &options).unwrap();
 
     let [aileron, rudder] = files.map(|file| shipped(&file));
@@ -212,4 +221,15 @@ fn offsets_trend_band_and_feedthrough_as_given() {
     agree("white_snr100", &["--offsets", "free"], |options| {
         options.offsets = reconstruct::Offsets::Free;
     });
+    for (word, hold) in [
+        ("zero-order", reconstruct::Hold::ZeroOrder),
+        ("first-order", reconstruct::Hold::FirstOrder),
+    ] {
+        let json = agree("white_snr100", &["--hold", word, "--order", "4"], |options| {
+            options.hold = Some(hold);
+            options.order = OrderChoice::Fixed(4);
+        });
+        assert_eq!(json["hold"]["order"], if word == "zero-order" { 0 } else { 1 });
+        assert!(json["hold"]["evidence"].is_null());
+    }
 }

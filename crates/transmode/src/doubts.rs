@@ -12,6 +12,7 @@ pub(crate) fn code(doubt: &ReconstructionDoubt) -> &'static str {
         ReconstructionDoubt::PoorFit { .. } => "poor-fit",
         ReconstructionDoubt::UnequalFit { .. } => "unequal-fit",
         ReconstructionDoubt::ResidualsNotWhite { .. } => "residuals-not-white",
+        ReconstructionDoubt::Offset { .. } => "offset",
         ReconstructionDoubt::LevelsDisagree { .. } => "levels-disagree",
         ReconstructionDoubt::AnotherSystem { .. } => "another-system",
         ReconstructionDoubt::TooShort { .. } => "too-short",

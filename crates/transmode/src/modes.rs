@@ -18,6 +18,22 @@ pub(crate) struct Found {
     pub(crate) spread: Option<f64>,
 }
 
+impl Found {
+    /// The 95 % interval of a real mode's time constant in s: from the likelihood where that was looked at, otherwise from the deviation. `None` where
+    /// that of the eigenvalue contains zero.
+    pub(crate) fn time_constant_interval_95(&self) -> Option<[f64; 2]> {
+        self.mode.mode.time_constant_s?;
+        match self.mode.interval_95 {
+            Some([low, high]) => (low * high > 0.0).then(|| [-1.0 / low, -1.0 / high]).map(ordered),
+            None => self.mode.estimate.as_ref()?.time_constant_interval_95,
+        }
+    }
+}
+
+fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
+}
+
 /// Names the modes: by their shapes where the channels are called beta, p and r, otherwise by the pattern of the eigenvalues.
 ///
 /// Complex pairs come once; the fastest mode comes first.

@@ -6,7 +6,9 @@ use aircraft::{AircraftClass, FlightPhaseCategory};
 use clap::ValueHint;
 
 use super::FileArgs;
-use super::values::{Band, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order};
+use super::values::{
+    Band, HoldAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order,
+};
 
 /// Names the modes of a system from two or more records of its sensors.
 ///
@@ -35,6 +37,11 @@ pub(crate) struct IdentifyArgs {
     /// Each sensor drifts by a constant rate in each record.
     #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", value_name = "true|false")]
     pub(crate) trend: Option<bool>,
+
+    /// How the excitation moves between samples: it is held, as a digital controller does, or moves on straight, as a pilot's hand nearly does
+    /// [default: auto, what is more likely].
+    #[arg(long, value_enum, value_name = "HOLD")]
+    pub(crate) hold: Option<HoldAsked>,
 
     /// Use only these frequencies, in rad/s; either end may be left out [default: all; with --decimate up to 0.8 of the new Nyquist frequency].
     #[arg(long, value_name = "LO:HI", allow_hyphen_values = true)]

@@ -79,6 +79,17 @@ impl FromStr for OffsetsAsked {
     }
 }
 
+/// How the excitation moves between samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum HoldAsked {
+    /// What is more likely.
+    Auto,
+    /// It stays what it was.
+    ZeroOrder,
+    /// It moves on straight from sample to sample.
+    FirstOrder,
+}
+
 /// A band of frequencies in rad/s, either end open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Band {

@@ -41,6 +41,7 @@ fn all() -> Vec<ReconstructionDoubt> {
             deviations: 1.0,
         },
         ReconstructionDoubt::ResidualsNotWhite { record: text(), p_value: 1.0 },
+        ReconstructionDoubt::Offset { p_value: 1.0 },
         ReconstructionDoubt::LevelsDisagree { sensor: text(), subspace: 1.0, likelihood: 1.0 },
         ReconstructionDoubt::AnotherSystem { likelihood_ratio: 1.0, eigenvalues: Vec::new() },
         ReconstructionDoubt::TooShort { degrees_of_freedom: 1.0, parameters: 1 },

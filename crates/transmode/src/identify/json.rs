@@ -3,7 +3,7 @@
 mod printed;
 
 use num_complex::Complex;
-use reconstruct::{Estimate, LikelihoodFit, OrderEvidence, SearchStatus};
+use reconstruct::{Estimate, Hold, LikelihoodFit, OrderEvidence, SearchStatus};
 use serde::Serialize;
 
 use super::outcome::Outcome;
@@ -24,12 +24,21 @@ struct Output<'a> {
     noise: Vec<NoiseOutput<'a>>,
     noise_origin: Option<&'static str>,
     band_rad_s: Option<[f64; 2]>,
+    hold: Option<HoldOutput>,
     goodness: GoodnessOutput,
     search: Option<SearchOutput>,
     /// Smallest spread of a group of zeros that the printed method refused as a mode.
     closest_refused: Option<f64>,
     transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
     warnings: Vec<Warning>,
+}
+
+/// How the excitation moves between samples.
+#[derive(Serialize)]
+struct HoldOutput {
+    order: u8,
+    /// Minus twice the logarithm of the other hold's likelihood over this one's; none where the hold was given.
+    evidence: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -73,6 +82,8 @@ struct ModeOutput {
     name: String,
     eigenvalue: Number,
     deviation: Option<Number>,
+    /// Of a real eigenvalue, from the likelihood itself.
+    eigenvalue_interval_95: Option<[Option<f64>; 2]>,
     discrete_eigenvalue: Option<Number>,
     frequency_rad_s: f64,
     frequency_interval_95_rad_s: Option<[f64; 2]>,
@@ -142,6 +153,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         noise: noise(outcome),
         noise_origin: outcome.noise_origin(),
         band_rad_s: outcome.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        hold: result.likelihood.as_ref().map(hold),
         goodness: GoodnessOutput {
             chi2_per_dof: result.goodness.map(|goodness| goodness.per_degree_of_freedom()),
             p_value: result.goodness.and_then(|goodness| goodness.p_value),
@@ -191,6 +203,10 @@ fn mode(outcome: &Outcome<'_>, found: &Found) -> ModeOutput {
             re: estimate.continuous.real_deviation(),
             im: estimate.continuous.imaginary_deviation(),
         }),
+        eigenvalue_interval_95: found
+            .mode
+            .interval_95
+            .map(|interval| interval.map(|end| end.is_finite().then_some(end))),
         discrete_eigenvalue: mode.discrete_eigenvalue.map(Number::from),
         frequency_rad_s: mode.natural_frequency_rad_s,
         frequency_interval_95_rad_s: estimate
@@ -199,9 +215,7 @@ fn mode(outcome: &Outcome<'_>, found: &Found) -> ModeOutput {
         damping_ratio_interval_95: estimate.map(|estimate| interval(&estimate.damping_ratio)),
         period_s: mode.period_s,
         time_constant_s: mode.time_constant_s,
-        time_constant_interval_95_s: estimate
-            .filter(|_| mode.time_constant_s.is_some())
-            .and_then(|estimate| estimate.time_constant_interval_95),
+        time_constant_interval_95_s: found.time_constant_interval_95(),
         time_to_half_or_double_s: mode.time_to_half_or_double_s,
         level: outcome.level(found).map(|level| level.to_string()),
         shape: found.shape.iter().map(|&part| part.into()).collect(),
@@ -227,6 +241,11 @@ fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
             unit: outcome.unit(index),
         })
         .collect()
+}
+
+fn hold(fit: &LikelihoodFit) -> HoldOutput {
+    let order = if fit.hold == Hold::FirstOrder { 1 } else { 0 };
+    HoldOutput { order, evidence: fit.hold_evidence }
 }
 
 fn search(fit: &LikelihoodFit) -> SearchOutput {

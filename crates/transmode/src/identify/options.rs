@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
 use reconstruct::{
-    FrequencyBand, Method, NoiseModel, Offsets, Options, OrderChoice, Record, Trend,
+    FrequencyBand, Hold, Method, NoiseModel, Offsets, Options, OrderChoice, Record, Trend,
 };
 
 use crate::args::IdentifyArgs;
-use crate::args::values::{MethodName, OffsetsAsked, OrderAsked};
+use crate::args::values::{HoldAsked, MethodName, OffsetsAsked, OrderAsked};
 use crate::{CommandError, OptionError};
 
 /// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
@@ -19,11 +19,12 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
     use MethodName::{AsPrinted, Ml, Subspace};
     const BOTH: &[MethodName] = &[Ml, Subspace];
     let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
-    let known: [(&'static str, bool, &[MethodName]); 12] = [
+    let known: [(&'static str, bool, &[MethodName]); 13] = [
         ("--order", args.order.is_some(), BOTH),
         ("--offsets with deviations", deviations, &[Ml]),
         ("--offsets", args.offsets.is_some(), BOTH),
         ("--trend", args.trend.is_some(), &[Ml]),
+        ("--hold", args.hold.is_some(), &[Ml]),
         ("--band", args.band.is_some(), &[Ml]),
         ("--feedthrough", !args.feedthrough.is_empty(), BOTH),
         ("--noise", !args.noise.is_empty(), BOTH),
@@ -78,6 +79,12 @@ pub(super) fn options(
     if args.trend == Some(true) {
         options.trend = Trend::Linear;
     }
+    options.hold = match args.hold {
+        None | Some(HoldAsked::Auto) => None,
+        Some(HoldAsked::ZeroOrder) => Some(Hold::ZeroOrder),
+        Some(HoldAsked::FirstOrder) => Some(Hold::FirstOrder),
+    };
+    options.profile = true;
     options.band = band(args, record)?;
     options.feedthrough_sensors = feedthrough(args, record, &sensors)?;
     options.noise = match noise {

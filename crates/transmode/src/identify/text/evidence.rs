@@ -1,15 +1,24 @@
 //! What the modes rest on, where noise is reckoned with: order, noise levels, fit.
 
+use reconstruct::Hold;
 use report::format_significant;
 
 use crate::identify::outcome::Outcome;
+use crate::modes::Found;
 
 /// How many other orders are named.
 const NAMED: usize = 4;
 
-/// A line for each of order, noise, band and fit.
+/// A line for each of order, intervals, noise, hold, band and fit.
 pub(super) fn summary(outcome: &Outcome<'_>) -> String {
-    let lines = [order(outcome), noise(outcome), band(outcome), fit(outcome)];
+    let lines = [
+        order(outcome),
+        intervals(outcome),
+        noise(outcome),
+        hold(outcome),
+        band(outcome),
+        fit(outcome),
+    ];
     lines.into_iter().flatten().collect::<Vec<_>>().join("\n")
 }
 
@@ -53,6 +62,39 @@ fn noise(outcome: &Outcome<'_>) -> Option<String> {
         };
     let levels: Vec<_> = channels.iter().zip(levels).enumerate().map(level).collect();
     Some(format!("noise: {}; {origin}", levels.join(", ")))
+}
+
+/// The intervals of real modes, which need not be symmetric.
+fn intervals(outcome: &Outcome<'_>) -> Option<String> {
+    let of = |found: &Found| {
+        let [low, high] = found.mode.interval_95?;
+        let end = |value: f64| format_significant(value, 4);
+        Some(match (low.is_finite(), high.is_finite()) {
+            (true, true) => format!("{} {} to {}", found.named.name, end(low), end(high)),
+            (true, false) => format!("{} above {}", found.named.name, end(low)),
+            (false, true) => format!("{} below {}", found.named.name, end(high)),
+            (false, false) => format!("{} anything", found.named.name),
+        })
+    };
+    let all: Vec<_> = outcome.found.iter().filter_map(of).collect();
+    (!all.is_empty()).then(|| format!("95 % intervals [1/s]: {}", all.join(", ")))
+}
+
+/// How the excitation moves between samples, with the evidence where the records told.
+fn hold(outcome: &Outcome<'_>) -> Option<String> {
+    // A likelihood ratio of e^3.
+    const DECISIVE: f64 = 6.0;
+    let fit = outcome.result.likelihood.as_ref()?;
+    let motion = match fit.hold {
+        Hold::FirstOrder => "moves on straight",
+        _ => "is held",
+    };
+    let certainty = match fit.hold_evidence {
+        None => "",
+        Some(evidence) if evidence > DECISIVE => ", as the records show",
+        Some(_) => ", or not: the records hardly tell",
+    };
+    Some(format!("between samples: the excitation {motion}{certainty}"))
 }
 
 fn band(outcome: &Outcome<'_>) -> Option<String> {
