@@ -25,6 +25,7 @@
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
 //! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
 //! | `bootstrap.rs` | deviations of modes from repeated noise |
+//! | `spectral_fit.rs` | response, noise and residuals at each frequency |
 
 mod at_frequencies;
 mod bootstrap;
@@ -45,6 +46,7 @@ mod options;
 mod resolvent;
 mod search;
 mod slow_modes;
+mod spectral_fit;
 mod spectrum;
 mod sums;
 mod system;
@@ -61,6 +63,8 @@ pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use goodness::{ChiSquared, Whiteness};
 pub use levenberg_marquardt::SearchStatus;
 pub use options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
+pub(crate) use spectral_fit::spectral_fit;
+pub use spectral_fit::{SensorSpectrum, SpectralFit};
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};
