@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::Path;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
-use reconstruct::{AsPrintedOptions, as_printed};
+use reconstruct::{Method, Options, reconstruct};
 
 use crate::args::IdentifyArgs;
 use crate::records::{self, Loaded, Progress};
@@ -24,20 +24,22 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, Comm
     let fault = |message: String| CommandError::Reconstruct(message);
     let orders = Orders::new(args.iir, args.causal, args.anticausal)
         .map_err(|error| fault(error.to_string()))?;
-    let mut options = AsPrintedOptions::default();
-    options.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
-    let result = as_printed(&records, &options).map_err(|error| fault(error.to_string()))?;
+    let mut options = Options::default();
+    options.method = Method::AsPrinted;
+    options.printed.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
+    let result = reconstruct(&records, &options).map_err(|error| fault(error.to_string()))?;
     let found = modes::name(&result, &records[0])?;
+    let printed = result.printed.as_ref().ok_or_else(|| fault("nothing was found".to_owned()))?;
 
     // The file first: if it cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
     if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&records, &result, &found, &warnings)?, out)?;
+        output::write_whole(file, &json::render(&records, printed, &found, &warnings)?, out)?;
     }
     if args.json.as_deref() != Some(standard_output) {
         output::write_whole(
             standard_output,
-            text::render(&records, &result, &found, &warnings).as_bytes(),
+            text::render(&records, printed, &found, &warnings).as_bytes(),
             out,
         )?;
     }

@@ -46,13 +46,13 @@ impl From<Complex<f64>> for Number {
 struct ModeOutput {
     name: String,
     eigenvalue: Number,
-    discrete_eigenvalue: Number,
+    discrete_eigenvalue: Option<Number>,
     frequency_rad_s: f64,
     damping_ratio: f64,
     period_s: Option<f64>,
     time_constant_s: Option<f64>,
     time_to_half_or_double_s: f64,
-    spread: f64,
+    spread: Option<f64>,
 }
 
 /// How one transmissibility was identified.
@@ -110,11 +110,11 @@ pub(super) fn render(
 }
 
 fn mode(found: &Found) -> ModeOutput {
-    let mode = &found.mode;
+    let mode = &found.mode.mode;
     ModeOutput {
         name: found.named.name.to_string(),
         eigenvalue: mode.eigenvalue.into(),
-        discrete_eigenvalue: found.zero.into(),
+        discrete_eigenvalue: mode.discrete_eigenvalue.map(Number::from),
         frequency_rad_s: mode.natural_frequency_rad_s,
         damping_ratio: mode.damping_ratio,
         period_s: mode.period_s,

@@ -92,7 +92,7 @@ fn table(found: &[Found]) -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_header(HEADER);
     for found in found {
-        let mode = &found.mode;
+        let mode = &found.mode.mode;
         let number = |value: f64| format_significant(value, 5);
         let doubles = if mode.eigenvalue.re > 0.0 { "doubles in " } else { "" };
         table.add_row([
@@ -102,7 +102,7 @@ fn table(found: &[Found]) -> Table {
             number(mode.damping_ratio),
             mode.time_constant_s.map_or_else(|| "-".to_owned(), number),
             format!("{doubles}{}", number(mode.time_to_half_or_double_s)),
-            format_significant(found.spread, 2),
+            found.spread.map_or_else(|| "-".to_owned(), |spread| format_significant(spread, 2)),
         ]);
     }
     for column in table.column_iter_mut().skip(1) {
