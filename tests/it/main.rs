@@ -4,6 +4,7 @@
 mod arrays;
 mod bad_files;
 mod bad_input;
+mod browser;
 mod damage;
 mod files;
 mod fit;
@@ -12,3 +13,4 @@ mod identify;
 mod inspect;
 mod layering;
 mod program;
+mod report;

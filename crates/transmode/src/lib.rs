@@ -11,6 +11,7 @@ mod inspect;
 mod modes;
 mod output;
 mod records;
+mod report;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};

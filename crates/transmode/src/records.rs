@@ -35,7 +35,7 @@ pub(crate) mod warning;
 
 use std::path::Path;
 
-pub(crate) use loading::{Loaded, load};
+pub(crate) use loading::{Loaded, Source, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
 pub(crate) use selection::Selection;

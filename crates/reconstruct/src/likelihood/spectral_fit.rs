@@ -37,6 +37,9 @@ pub struct SensorSpectrum {
     pub measured: Vec<f64>,
     /// The power of the response to the excitation's estimate and to known signals.
     pub response: Vec<f64>,
+    /// The part of the response's power that noise adds on average, since the excitation's estimate follows it: |g_s|^2 / (g^H S^-1 g). Response less this
+    /// plus noise is what the model expects of the sensor.
+    pub absorbed: Vec<f64>,
     /// The power of the noise.
     pub noise: Vec<f64>,
 }
@@ -109,8 +112,12 @@ fn one(
         right += (&weighted * &at.measured).map(|entry| entry.re);
     }
     let coefficients = least_squares(&gram, &right).map(Complex::from);
-    let nothing =
-        || SensorSpectrum { measured: Vec::new(), response: Vec::new(), noise: Vec::new() };
+    let nothing = || SensorSpectrum {
+        measured: Vec::new(),
+        response: Vec::new(),
+        absorbed: Vec::new(),
+        noise: Vec::new(),
+    };
     let period = record.period().seconds();
     let mut fit = SpectralFit {
         record: record.name().to_owned(),
@@ -130,6 +137,7 @@ fn one(
         for (sensor, into) in fit.sensors.iter_mut().enumerate() {
             into.measured.push(at.measured[sensor].norm_sqr());
             into.response.push(response[sensor].norm_sqr());
+            into.absorbed.push(at.gain[sensor].norm_sqr() / at.strength());
             into.noise.push(at.noise[sensor]);
         }
     }
