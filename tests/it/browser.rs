@@ -85,6 +85,8 @@ impl Browser {
                 "--disable-component-update",
             ])
             .args(["--disable-sync", "--disable-default-apps", "--disable-extensions"])
+            // Whatever it asks for on its own leads nowhere.
+            .arg("--host-resolver-rules=MAP * ~NOTFOUND")
             .args([profile.as_str(), "--virtual-time-budget=4000"])
             .args(flags)
             .arg(format!("file://{}", page.display()))
@@ -95,7 +97,7 @@ impl Browser {
     }
 }
 
-/// The addresses in a network log that lie beyond the disk.
+/// The addresses beyond the disk that pages asked for, from a network log.
 fn requests(log: &[u8]) -> Vec<String> {
     // A browser that is stopped early leaves the list open.
     let text = String::from_utf8_lossy(log);
@@ -104,7 +106,12 @@ fn requests(log: &[u8]) -> Vec<String> {
         .or_else(|_| serde_json::from_str(&format!("{open}]}}")))
         .unwrap();
     let events = json["events"].as_array().cloned().unwrap_or_default();
-    let addresses = events.iter().filter_map(|event| event["params"]["url"].as_str());
+    // The browser asks for things of its own, such as updates; those have no page that started them.
+    let from_page = |event: &&Value| {
+        event["params"]["initiator"].as_str().is_some_and(|origin| origin != "not an origin")
+    };
+    let addresses =
+        events.iter().filter(from_page).filter_map(|event| event["params"]["url"].as_str());
     let beyond = |address: &&str| {
         ["http:", "https:", "ws:", "wss:", "ftp:"].iter().any(|s| address.starts_with(s))
     };

@@ -11,14 +11,21 @@ use reconstruct::{Method, Options, reconstruct};
 
 use crate::args::IdentifyArgs;
 use crate::records::{self, Loaded, Progress};
-use crate::{CommandError, Exit, modes, output};
+use crate::{CommandError, Exit, modes, output, report};
 
 /// Reads the records, reconstructs the modes and writes them.
-pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+pub(crate) fn run(
+    args: &IdentifyArgs,
+    typed: &str,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
     if let Some(file) = &args.json {
         output::check_place(file, &args.files.paths())?;
     }
-    let Loaded { records, warnings, .. } =
+    if let Some(folder) = &args.report {
+        report::check_place(folder)?;
+    }
+    let Loaded { records, sources, warnings } =
         records::load(&args.files.files, &args.files.options(), Progress::Shown)?;
 
     let fault = |message: String| CommandError::Reconstruct(message);
@@ -31,6 +38,20 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, Comm
     let found = modes::name(&result, &records[0])?;
     let printed = result.printed.as_ref().ok_or_else(|| fault("nothing was found".to_owned()))?;
 
+    if let Some(folder) = &args.report {
+        let input = report::Input {
+            command: typed,
+            records: &records,
+            sources: &sources,
+            warnings: &warnings,
+            options: &options,
+            result: &result,
+            found: &found,
+            flying: None,
+            progress: Progress::Shown,
+        };
+        report::write(folder, &input)?;
+    }
     // The file first: if it cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
     if let Some(file) = &args.json {

@@ -11,35 +11,54 @@ use super::Input;
 use crate::CommandError;
 use crate::modes::Found;
 
+/// As many modes fit a page side by side.
+const MODES_IN_A_TABLE: usize = 4;
+
+/// What is said of a mode.
+const QUANTITIES: [&str; 7] = [
+    "real part (1/s)",
+    "imaginary part (rad/s)",
+    "natural frequency (rad/s)",
+    "damping ratio",
+    "time constant (s)",
+    "95 % interval of it (s)",
+    "time to half or double (s)",
+];
+
 pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Modes")];
     if input.found.is_empty() {
         blocks.push(Block::paragraph("No mode was found."));
         return Ok(blocks);
     }
-    let mut columns = vec![
-        Column::left("mode"),
-        Column::right("real part (1/s)"),
-        Column::right("imaginary part (rad/s)"),
-        Column::right("natural frequency (rad/s)"),
-        Column::right("damping ratio"),
-        Column::right("time constant (s)"),
-        Column::right("time to half or double (s)"),
-    ];
-    if input.flying.is_some() {
-        columns.push(Column::center("level"));
+    let all = input.found.chunks(MODES_IN_A_TABLE).enumerate();
+    for (part, found) in all {
+        let title = match input.found.len() {
+            ..=MODES_IN_A_TABLE => "Modes, the fastest first".to_owned(),
+            _ => format!("Modes from number {} on, the fastest first", part * MODES_IN_A_TABLE + 1),
+        };
+        blocks.push(table(input, found, title)?.into());
     }
-    let mut table = Table::new("Modes, the fastest first", columns);
-    for found in input.found {
-        let mut row = numbers(found);
-        if let Some((class, category)) = input.flying {
-            row.push(levels(found, class, category));
-        }
-        table.push(row).map_err(|error| CommandError::Report(error.to_string()))?;
-    }
-    blocks.push(table.into());
     blocks.push(Block::paragraph(explanation(input)));
     Ok(blocks)
+}
+
+/// A column for each mode: names and numbers with deviations are wide, and four of them fit a page.
+fn table(input: &Input<'_>, found: &[Found], title: String) -> Result<Table, CommandError> {
+    let names = found.iter().map(|found| Column::right(found.named.name.to_string()));
+    let mut table = Table::new(title, std::iter::once(Column::left("")).chain(names));
+    let mut push = |what: &str, cells: Vec<String>| {
+        let row = std::iter::once(what.to_owned()).chain(cells);
+        table.push(row).map_err(|error| CommandError::Report(error.to_string()))
+    };
+    let columns: Vec<[String; QUANTITIES.len()]> = found.iter().map(numbers).collect();
+    for (index, quantity) in QUANTITIES.iter().enumerate() {
+        push(quantity, columns.iter().map(|column| column[index].clone()).collect())?;
+    }
+    if let Some((class, category)) = input.flying {
+        push("level", found.iter().map(|found| levels(found, class, category)).collect())?;
+    }
+    Ok(table)
 }
 
 fn explanation(input: &Input<'_>) -> String {
@@ -58,7 +77,7 @@ fn explanation(input: &Input<'_>) -> String {
     format!("{deviations} {levels}")
 }
 
-fn numbers(found: &Found) -> Vec<String> {
+fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
     let mode = &found.mode.mode;
     let estimate = found.mode.estimate.as_ref();
     let number = |value: f64| format_significant(value, 5);
@@ -78,8 +97,7 @@ fn numbers(found: &Found) -> Vec<String> {
     };
     let plane = estimate.map(|estimate| estimate.continuous);
     let doubles = if mode.eigenvalue.re > 0.0 { "doubles in " } else { "" };
-    vec![
-        found.named.name.to_string(),
+    [
         real(plane.map(|plane| plane.real_deviation())),
         if oscillates { imaginary(plane.map(|plane| plane.imaginary_deviation())) } else { dash() },
         cell(
@@ -94,8 +112,23 @@ fn numbers(found: &Found) -> Vec<String> {
         mode.time_constant_s.map_or_else(dash, |value| {
             cell(value, estimate.map(|estimate| estimate.time_constant_s))
         }),
+        interval(found),
         format!("{doubles}{}", number(mode.time_to_half_or_double_s)),
     ]
+}
+
+/// The 95 % interval of the time constant of a real mode.
+fn interval(found: &Found) -> String {
+    let number = |value: f64| format_significant(value, 3);
+    let Some(estimate) =
+        found.mode.estimate.as_ref().filter(|_| found.mode.mode.period_s.is_none())
+    else {
+        return "-".to_owned();
+    };
+    match estimate.time_constant_interval_95 {
+        Some([low, high]) => format!("{} to {}", number(low), number(high)),
+        None => "any sign".to_owned(),
+    }
 }
 
 /// `1.6923 ± 0.0012`: two digits of the deviation, and as many decimals of the number.

@@ -4,7 +4,7 @@ use reconstruct::{NoiseModel, Record};
 use report::{Block, Column, Table, format_significant};
 
 use super::Input;
-use super::style::{channel_name, with_unit};
+use super::style::with_unit;
 use crate::CommandError;
 
 pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
@@ -18,18 +18,25 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
         "Records",
         [
             Column::left("record"),
-            Column::left("file"),
             Column::right("samples"),
             Column::right("period (s)"),
             Column::right("from (s)"),
             Column::right("to (s)"),
-            Column::left("sensors"),
         ],
     );
     for (index, record) in input.records.iter().enumerate() {
         table.push(row(input, index, record)).map_err(fault)?;
     }
     blocks.push(table.into());
+    let mut files: Vec<String> = Vec::new();
+    for source in input.sources {
+        let file = format!("`{}`", source.file.display());
+        if !files.contains(&file) {
+            files.push(file);
+        }
+    }
+    blocks.push(Block::paragraph("Files:"));
+    blocks.push(Block::bullets(files));
     if let NoiseModel::Quiet(quiet) = &input.options.noise {
         blocks.push(Block::paragraph(format!(
             "The noise is that of the quiet record {} with {} samples.",
@@ -60,27 +67,24 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(blocks)
 }
 
-fn row(input: &Input<'_>, index: usize, record: &Record) -> [String; 7] {
+fn row(input: &Input<'_>, index: usize, record: &Record) -> [String; 5] {
     let source = input.sources.get(index);
-    let time = |end: usize| {
-        source.map_or_else(|| "-".to_owned(), |source| format_significant(source.span_s[end], 9))
-    };
-    let sensors: Vec<String> = (0..record.channels().len())
-        .map(|sensor| {
-            if source.is_some() {
-                with_unit(input, index, sensor)
-            } else {
-                channel_name(input, sensor).to_owned()
-            }
-        })
-        .collect();
+    let time =
+        |end: usize| source.map_or_else(|| "-".to_owned(), |source| short(source.span_s[end]));
     [
         record.name().to_owned(),
-        source.map_or_else(|| "-".to_owned(), |source| source.file.display().to_string()),
         record.samples().to_string(),
-        format_significant(record.period().seconds(), 9),
+        short(record.period().seconds()),
         time(0),
         time(1),
-        sensors.join(", "),
     ]
+}
+
+/// At most nine digits, without zeros at the end.
+fn short(value: f64) -> String {
+    let text = format_significant(value, 9);
+    if !text.contains('.') || text.contains('e') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

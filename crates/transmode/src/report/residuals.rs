@@ -33,7 +33,7 @@ pub(super) fn blocks(input: &Input<'_>, fits: &[SpectralFit]) -> Vec<Block> {
         blocks.push(Block::paragraph(format!(
             "Chi-squared per degree of freedom is {} with {} degrees of freedom{chance}.",
             report::format_significant(goodness.per_degree_of_freedom(), 4),
-            report::format_significant(goodness.degrees_of_freedom, 6),
+            format_args!("{:.0}", goodness.degrees_of_freedom),
         )));
     }
     blocks
@@ -87,7 +87,8 @@ fn range_95(degrees: f64) -> (f64, f64) {
 /// The cumulated spectrum and the autocorrelations, all records together.
 fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<Block> {
     let caption = format!(
-        "Left: the residuals' power, cumulated over frequency; of white noise it stays within the band, with 95 %. Right: autocorrelations, each with 95 % \
+        "Left: the residuals' power up to each frequency as a part of all, less the part that white noise would have; that of white noise stays within the band \
+         with 95 %. Right: autocorrelations, each with 95 % \
          within the lines. Band and lines are those of the shortest record.{left_out}"
     );
     let number = |fit: &SpectralFit| coordinate(fit.residuals.len() * (fit.sensors.len() - 1));
@@ -100,17 +101,13 @@ fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<
         return None;
     }
     let reach = KOLMOGOROV_95 / least.sqrt();
-    let first = fits
-        .iter()
-        .filter_map(|fit| fit.frequencies_rad_s.first())
-        .fold(highest, |a, b| f64::min(a, *b));
-    let ends = [(first, 0.0), (highest, 1.0)];
-    let band = ends.map(|(x, y)| (x, y - reach, y + reach));
+    let band = [0.0, highest].map(|x| (x, -reach, reach));
     let mut cumulated = Panel::new(
         "cumulated spectrum",
-        Axis::linear("frequency (rad/s)").range(first, highest),
-        Axis::linear("part of the power").range(-0.02_f64.max(reach), 1.0 + 0.02_f64.max(reach)),
+        Axis::linear("frequency (rad/s)").range(0.0, highest),
+        Axis::linear("part of the power, less that of white noise"),
     )
+    .guide(Guide::Horizontal(0.0))
     .with(Band::new("95 % range of white noise", band).ink(Ink::Grey));
     for (index, fit) in fits.iter().enumerate() {
         let (ink, dash) = look(index);
@@ -122,16 +119,18 @@ fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<
     Some(figure.into())
 }
 
-/// The cumulated residuals as parts of their sum, at most 300 points.
+/// The cumulated residuals as parts of their sum, less the parts of a flat spectrum; at most 300 points.
 fn cumulate(fit: &SpectralFit) -> Vec<(f64, f64)> {
     const POINTS: usize = 300;
     let total: f64 = fit.residuals.iter().sum();
-    let (every, mut sum) = (fit.residuals.len().div_ceil(POINTS).max(1), 0.0);
+    let number = fit.residuals.len();
+    let (every, mut sum) = (number.div_ceil(POINTS).max(1), 0.0);
     let mut points = Vec::new();
     for (k, (frequency, value)) in fit.frequencies_rad_s.iter().zip(&fit.residuals).enumerate() {
         sum += value;
-        if (k + 1) % every == 0 || k + 1 == fit.residuals.len() {
-            points.push((*frequency, if total > 0.0 { sum / total } else { 0.0 }));
+        if (k + 1) % every == 0 || k + 1 == number {
+            let part = if total > 0.0 { sum / total } else { 0.0 };
+            points.push((*frequency, part - coordinate(k + 1) / coordinate(number)));
         }
     }
     points

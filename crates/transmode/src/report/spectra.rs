@@ -72,10 +72,12 @@ fn lines(fit: &SpectralFit, record: &Record, sensor: usize, bins: &[Bin]) -> [Li
     };
     let measured = points(&|bin| bin.mean(&spectrum.measured));
     let noise = points(&|bin| bin.mean(&spectrum.noise));
-    let model = points(&|bin| bin.mean(&spectrum.response) + bin.mean(&spectrum.noise));
+    // The response follows the noise as far as an excitation could; on average that is known.
+    let signal = |bin: &Bin| bin.mean(&spectrum.response) - bin.mean(&spectrum.absorbed);
+    let model = points(&|bin| signal(bin).max(0.0) + bin.mean(&spectrum.noise));
     [
-        Line::new("measured", Dash::Solid, measured).ink(Ink::Sky).width(2.6),
-        Line::new("model", Dash::Dashed, model).ink(Ink::Black).width(1.2),
+        Line::new("measured", Dash::Solid, measured).ink(Ink::Grey).width(2.8),
+        Line::new("model", Dash::Dashed, model).ink(Ink::Blue).width(1.5),
         Line::new("noise", Dash::Dotted, noise).ink(Ink::Vermillion).width(1.6),
     ]
 }

@@ -124,15 +124,3 @@ fn folders_with_other_things_are_not_touched() {
         check(&place.path().join("none/out")).is_err_and(|error| error.starts_with("cannot write"))
     );
 }
-
-#[test]
-fn look() {
-    for (name, method, out) in [
-        ("white_snr10", Method::MaximumLikelihood, "ml"),
-        ("multistep_snr100", Method::Subspace, "sub"),
-        ("noise_free", Method::AsPrinted, "printed"),
-        ("multistep_snr100", Method::MaximumLikelihood, "multi"),
-    ] {
-        report(name, method, &Path::new("/tmp/look").join(out));
-    }
-}
