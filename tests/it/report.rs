@@ -9,7 +9,7 @@ use crate::program::{Folder, shipped, transmode};
 
 /// A report of two shipped records.
 fn report(folder: &Folder) -> PathBuf {
-    let files = ["noise_free_aileron.csv", "noise_free_rudder.csv"].map(shipped);
+    let files = ["white_snr10_aileron.csv", "white_snr10_rudder.csv"].map(shipped);
     let out = folder.path("out");
     let ran = transmode(&[
         "identify",
@@ -17,6 +17,10 @@ fn report(folder: &Folder) -> PathBuf {
         &files[1],
         "--outputs",
         "beta,p,r",
+        "--aircraft-class",
+        "I",
+        "--flight-phase",
+        "B",
         "--report",
         out.to_str().unwrap(),
     ]);
@@ -30,7 +34,8 @@ fn the_folder_holds_a_page_and_its_figures() {
     let folder = Folder::new();
     let page = std::fs::read_to_string(report(&folder)).unwrap();
     assert_eq!(folder.names(), ["out"]);
-    assert!(page.contains("--report"), "the command is in the page");
+    assert!(page.contains("--flight-phase B --report"), "the command is in the page");
+    assert!(page.contains("for class I and flight-phase category B"));
     for (start, name) in [("<svg", "pole-map.svg"), ("\u{fffd}PNG", "pole-map.png")] {
         let bytes = std::fs::read(folder.path("out").join(name)).unwrap();
         assert!(String::from_utf8_lossy(&bytes).starts_with(start), "{name}");

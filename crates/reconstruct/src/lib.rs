@@ -13,6 +13,7 @@
 //! | [`as_printed`] | the whole method: records to eigenvalues |
 //! | [`intersect`] | eigenvalues, shapes and excitations of noisy records, by the intersection of their signal subspaces |
 //! | [`maximise`] | maximum likelihood from noisy records: the system, its modes and how certain they are |
+//! | [`profile_intervals`] | intervals of real modes that need not be symmetric, for short or noisy records |
 //! | [`bootstrap`] | deviations of the modes from repeated noise, as a cross-check |
 //! | [`fitted_transmissibilities`] | response, zeros and poles of every pair of sensors as fitted, with their uncertainty |
 //! | [`spectral_fits`] | response, noise and residuals of every record at each frequency |
@@ -65,9 +66,9 @@ pub use fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilit
 pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
-    FrequencyBand, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets, Rival,
-    SearchReport, SearchStatus, SensorSpectrum, SpectralFit, StartReport, Trend, Whiteness,
-    bootstrap, maximise,
+    FrequencyBand, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate, Offsets,
+    Rival, SearchReport, SearchStatus, SensorSpectrum, SpectralFit, StartReport, Trend, Whiteness,
+    bootstrap, maximise, profile_intervals,
 };
 pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;

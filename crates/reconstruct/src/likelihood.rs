@@ -12,19 +12,22 @@
 //! sum over j and k of w e^H (S^-1 - S^-1 g g^H S^-1 / (g^H S^-1 g)) e, e = Y_j - z C (zI - A)^-1 t_j, g = G_j,
 //!
 //! with w = 2 inside and 1 at frequency zero and half the sampling frequency. Of the n^2 + m n + J n parameters in (A, C, b_j), n J + m n - J can be
-//! identified: a change of basis and the scale of each b_j change nothing.
+//! identified: a change of basis and the scale of each b_j change nothing. d_j is free for sensors with feedthrough; where the excitation moves on
+//! straight between samples, the other sensors' follows from A, C and b_j.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | `spectrum.rs` | records to the frequency domain; offsets, trends, bands, known inputs |
 //! | `direction.rs`, `resolvent.rs` | b_j from the spectra with A and C held |
 //! | `feedback.rs`, `tables.rs`, `at_frequencies.rs`, `lanes.rs`, `sums.rs`, `evaluation.rs` | cost, gradient, Gram matrix; t_j eliminated |
+//! | `hold.rs`, `holds.rs` | d_j of an excitation that moves between samples; which it is |
 //! | `climb.rs`, `conclusion.rs` | from a start to the top, from the top to the result |
 //! | `search.rs`, `thinning.rs`, `slow_modes.rs` | over all starts and tops to the highest one |
 //! | `levenberg_marquardt.rs` | steps downhill |
 //! | `noise_levels.rs` | noise levels by restricted likelihood |
 //! | `uncertainty.rs`, `goodness.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness |
-//! | `bootstrap.rs` | deviations of modes from repeated noise |
+//! | `profile.rs` | intervals of real modes from the likelihood itself |
+//! | `bootstrap.rs`, `finished.rs` | deviations of modes from repeated noise; the problem of a fit that is finished |
 //! | `spectral_fit.rs` | response, noise and residuals at each frequency |
 
 mod at_frequencies;
@@ -34,15 +37,19 @@ mod conclusion;
 mod direction;
 mod evaluation;
 mod feedback;
+mod finished;
 #[cfg(test)]
 pub(crate) mod fixtures;
 mod gamma;
 mod goodness;
 mod held;
+mod hold;
+mod holds;
 mod lanes;
 mod levenberg_marquardt;
 mod noise_levels;
 mod options;
+mod profile;
 mod resolvent;
 mod search;
 mod slow_modes;
@@ -62,7 +69,10 @@ use realfft::RealFftPlanner;
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use goodness::{ChiSquared, Whiteness};
 pub use levenberg_marquardt::SearchStatus;
-pub use options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets, Trend};
+pub use options::{
+    Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets, Trend,
+};
+pub use profile::profile_intervals;
 pub(crate) use spectral_fit::spectral_fit;
 pub use spectral_fit::{SensorSpectrum, SpectralFit};
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
@@ -70,7 +80,7 @@ pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 use crate::{ReconstructError, Record, SharedModel};
 use conclusion::conclude;
 use evaluation::Problem;
-use search::search;
+use holds::search_over_holds;
 use spectrum::transform;
 pub(crate) use spectrum::{count, rms};
 pub(crate) use validation::check_known_inputs;
@@ -87,8 +97,12 @@ pub struct LikelihoodFit {
     pub covariance: DMatrix<f64>,
     /// The modes with their uncertainty, by real part of the eigenvalue, a complex pair once.
     pub modes: Vec<ModeEstimate>,
-    /// Indices of the sensors with an entry of d_j, as in the options.
+    /// Indices of the sensors with an entry of d_j: those of the options under a zero-order hold, all under a first-order hold.
     pub feedthrough_sensors: Vec<usize>,
+    /// How the excitation moves between samples: as in the options, or what is more likely.
+    pub hold: Hold,
+    /// Minus twice the logarithm of the other hold's likelihood over this one's; `None` where the hold was given or the other one has no likelihood.
+    pub hold_evidence: Option<f64>,
     /// Directions of the parameters that the records determine.
     pub determined: usize,
     /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each entry of d_j.
@@ -222,7 +236,7 @@ pub fn maximise(
         .enumerate()
         .map(|(index, record)| transform(record, index, &units, options, &mut planner))
         .collect::<Result<Vec<_>, _>>()?;
-    let problem = Problem { layout, spectra };
+    let mut problem = Problem { layout, spectra };
     let residuals: f64 =
         problem.spectra.iter().map(|spectrum| spectrum.residuals(problem.layout.sensors)).sum();
     let needed = count(problem.layout.identifiable())
@@ -235,9 +249,13 @@ pub fn maximise(
     if residuals <= needed {
         return Err(ReconstructError::TooFewSamples { residuals, parameters: needed });
     }
-    let found = search(&problem, starts, &units, residuals, options).ok_or_else(|| {
-        ReconstructError::Start { start: 0, message: "no start has a finite likelihood".to_owned() }
-    })?;
+    let found =
+        search_over_holds(&mut problem, starts, &units, residuals, options).ok_or_else(|| {
+            ReconstructError::Start {
+                start: 0,
+                message: "no start has a finite likelihood".to_owned(),
+            }
+        })?;
     conclude(records, &problem, found, &units, residuals, options)
 }
 

@@ -16,7 +16,7 @@ use starts::FirstStage;
 use crate::{
     AsPrinted, ChiSquared, Estimate, ExcitationRank, Intersection, LikelihoodFit, ModeEstimate,
     NoiseOrigin, OrderEvidence, ReconstructError, Record, SharedModel, SubspaceMode, Whiteness,
-    as_printed, maximise,
+    as_printed, maximise, profile_intervals,
 };
 
 /// A mode of the reconstructed system.
@@ -27,6 +27,9 @@ pub struct FoundMode {
     pub mode: Mode,
     /// The same with deviations, 95 % intervals and ellipse; from the likelihood alone.
     pub estimate: Option<ModeEstimate>,
+    /// The 95 % interval of a real mode's eigenvalue s in rad/s from the likelihood itself, see [`profile_intervals`](crate::profile_intervals); where
+    /// [`Options::profile`] asks for it.
+    pub interval_95: Option<[f64; 2]>,
     /// For each record the variance along the mode that nothing else explains, in units of the noise's variance: 1 is noise. Empty for the
     /// printed method.
     pub strength: Vec<f64>,
@@ -141,6 +144,7 @@ fn printed(records: &[Record], options: &Options) -> Result<Reconstruction, Reco
             modes.push(FoundMode {
                 mode: Mode::from_discrete_eigenvalue(z, found.period).map_err(failed)?,
                 estimate: None,
+                interval_95: None,
                 strength: Vec::new(),
             });
         }
@@ -167,6 +171,7 @@ fn subspace(stage: FirstStage) -> Result<Reconstruction, ReconstructError> {
         strength: strength(&found, &mode),
         mode,
         estimate: None,
+        interval_95: None,
     });
     let levels = found.noise.deviations.iter().map(|&value| Estimate { value, deviation: 0.0 });
     let white = !matches!(found.noise.origin, NoiseOrigin::Quiet { .. });
@@ -189,12 +194,19 @@ fn subspace(stage: FirstStage) -> Result<Reconstruction, ReconstructError> {
 fn likelihood(records: &[Record], options: &Options) -> Result<Reconstruction, ReconstructError> {
     let FirstStage { intersection: first, order, doubts, starts } =
         starts::first_stage(records, options)?;
-    let fit = maximise(records, &starts, &options.likelihood(records, &first)?)?;
+    let second = options.likelihood(records, &first)?;
+    let fit = maximise(records, &starts, &second)?;
+    let intervals = if options.profile {
+        profile_intervals(records, &fit, &second)?
+    } else {
+        vec![None; fit.modes.len()]
+    };
     let doubts = doubt::doubts(records, &first, doubts, &fit, &options.noise);
-    let modes = fit.modes.iter().map(|estimate| FoundMode {
+    let modes = fit.modes.iter().zip(intervals).map(|(estimate, interval_95)| FoundMode {
         strength: strength(&first, &estimate.mode),
         mode: estimate.mode.clone(),
         estimate: Some(estimate.clone()),
+        interval_95,
     });
     Ok(Reconstruction {
         method: Method::MaximumLikelihood,

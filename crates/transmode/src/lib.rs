@@ -5,6 +5,7 @@
 
 mod args;
 mod command_line;
+mod doubts;
 mod error;
 mod fit;
 mod identify;
@@ -19,7 +20,7 @@ use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::{CommandError, Others, SelectionError, TableError, TimeError};
+pub use error::{CommandError, OptionError, Others, SelectionError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.

@@ -12,7 +12,7 @@ pub(crate) struct Found {
     pub(crate) named: NamedMode,
     /// Eigenvalues, frequency, damping, and how certain they are where the method says it.
     pub(crate) mode: FoundMode,
-    /// The mode's share in each channel, up to a common complex factor; empty where nothing tells it.
+    /// The mode's share in each channel, the largest of them 1; empty where nothing tells it.
     pub(crate) shape: Vec<Complex<f64>>,
     /// Largest distance in z between the versions that the differences of transmissibilities have of it; from the printed method alone.
     pub(crate) spread: Option<f64>,
@@ -37,7 +37,7 @@ pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found
             named,
             spread: spread(result, mode),
             mode: mode.clone(),
-            shape,
+            shape: scaled(shape),
         })
         .collect();
     let frequency = |found: &Found| found.mode.mode.natural_frequency_rad_s;
@@ -63,6 +63,15 @@ fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
         })
     });
     own.map_or_else(Vec::new, |own| own.shape.clone())
+}
+
+/// The shape with its largest part 1.
+fn scaled(mut shape: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    let largest = shape.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    if let Some(largest) = largest.filter(|largest| largest.norm() > 0.0) {
+        shape.iter_mut().for_each(|part| *part /= largest);
+    }
+    shape
 }
 
 /// The spread of the shared zero that the mode comes from.

@@ -50,7 +50,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
 }
 
 fn checks(flight: &Flight, truth: &TrueModes, found: &[Found]) -> Result<Vec<Check>, TaskError> {
-    let pair = Pair { records: flight.records.clone(), levels: Vec::new(), direct: Vec::new() };
+    let pair = Pair { records: flight.records.clone(), levels: Vec::new() };
     let options = Options::default();
     let noise_free = apply(&pair, Method::MaximumLikelihood, options.order)
         .ok_or_else(|| TaskError::computation(PART)("nothing from records without noise"))?;

@@ -4,13 +4,12 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
-use super::climb::{scaled, settled};
-use super::evaluation::Problem;
 use super::feedback::feedback;
+use super::finished::{Finished, finished};
 use super::options::{LikelihoodNoise, LikelihoodOptions};
-use super::spectrum::{Entry, RecordSpectrum, count, transform};
+use super::spectrum::{Entry, RecordSpectrum, count};
 use super::system::System;
-use super::{ComplexEstimate, LikelihoodFit, maximise, noise_levels, validation};
+use super::{ComplexEstimate, LikelihoodFit, maximise};
 use crate::matching::closest_pairs;
 use crate::noise_spectrum::inverse_of_hermitian;
 use crate::{Channel, ReconstructError, Record};
@@ -60,19 +59,10 @@ pub fn bootstrap(
     if repetitions < 2 {
         return Err(too_few(format!("{repetitions}, at least 2 are needed")));
     }
-    let (known, again) = noises(fit, options);
+    let again = refitted(fit, options);
     let starts = std::slice::from_ref(&fit.model);
-    let layout = validation::check(records, starts, &known)?;
-    let units = noise_levels::units(records, &known);
     let mut planner = RealFftPlanner::new();
-    let spectra = records
-        .iter()
-        .enumerate()
-        .map(|(index, record)| transform(record, index, &units, &known, &mut planner))
-        .collect::<Result<Vec<_>, _>>()?;
-    let problem = Problem { layout, spectra };
-    let system = scaled(&fit.model, &units, &problem.layout);
-    let evaluation = settled(&problem, system, &vec![1.0; units.len()]);
+    let Finished { problem, evaluation, units } = finished(records, fit, options, &mut planner)?;
     let parts = problem
         .spectra
         .iter()
@@ -114,18 +104,14 @@ fn too_few(message: String) -> ReconstructError {
     ReconstructError::Option { name: "repetitions", message }
 }
 
-/// The options with the noise as the fit knows it, and those for the repetitions: levels that were estimated are estimated again.
-fn noises(
-    fit: &LikelihoodFit,
-    options: &LikelihoodOptions,
-) -> (LikelihoodOptions, LikelihoodOptions) {
-    let (mut known, mut again) = (options.clone(), options.clone());
+/// The options of the repetitions: levels that were estimated are estimated again.
+fn refitted(fit: &LikelihoodFit, options: &LikelihoodOptions) -> LikelihoodOptions {
+    let mut again = LikelihoodOptions { hold: Some(fit.hold), ..options.clone() };
     if let (LikelihoodNoise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
-        let levels: Vec<f64> = levels.iter().map(|level| level.value).collect();
-        again.noise = LikelihoodNoise::Estimated { first_guess: Some(levels.clone()) };
-        known.noise = LikelihoodNoise::Given(levels);
+        let levels = levels.iter().map(|level| level.value).collect();
+        again.noise = LikelihoodNoise::Estimated { first_guess: Some(levels) };
     }
-    (known, again)
+    again
 }
 
 /// One frequency of a record: what the fit explains, and a factor L of the noise's covariance L L^H.

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::climb::{Climb, settled_again};
 use super::evaluation::Problem;
+use super::hold::FirstOrder;
 use super::options::{LikelihoodNoise, LikelihoodOptions};
 use super::search::Found;
 use super::spectrum::count;
@@ -16,7 +17,7 @@ use crate::{ReconstructError, Record, SharedModel};
 pub(super) fn conclude(
     records: &[Record],
     problem: &Problem,
-    found: Found,
+    (found, hold_evidence): (Found, Option<f64>),
     units: &[f64],
     residuals: f64,
     options: &LikelihoodOptions,
@@ -38,6 +39,7 @@ pub(super) fn conclude(
     evaluation = settled_again(problem, evaluation, &variances);
     let mut noise_part = DMatrix::zeros(layout.parameters(), layout.parameters());
     let cells = layout.local_cells();
+    let hold = problem.tie(&mut evaluation.system);
     let mut whiteness = Vec::with_capacity(records.len());
     for (record, source) in records.iter().enumerate() {
         let sums = problem.record_sums(
@@ -48,12 +50,8 @@ pub(super) fn conclude(
             Scalars::NoisePart,
             true,
         );
-        for (local, &first) in cells.iter().enumerate() {
-            for (other, &second) in cells.iter().enumerate() {
-                noise_part[(layout.global(local, record), layout.global(other, record))] +=
-                    sums.gram(first, second);
-            }
-        }
+        let tangent = hold.as_ref().map(|hold| hold.tangent(&evaluation.system, record, layout));
+        layout.add(record, tangent.as_ref(), sums.gram_of(&cells), &mut noise_part);
         whiteness.push(goodness::whiteness(
             source.name(),
             &problem.spectra[record],
@@ -80,11 +78,19 @@ pub(super) fn conclude(
             cost / (spectrum.residuals(layout.sensors) * degrees_of_freedom / residuals)
         })
         .collect();
+    // What is told has an entry of d_j for each sensor that has one, free or not.
+    let untied = layout.untied();
+    let covariance = match &hold {
+        Some(hold) => with_tied(&parameters.matrix, hold, &evaluation.system, layout),
+        None => parameters.matrix,
+    };
     Ok(LikelihoodFit {
-        covariance: in_sensor_units(&parameters.matrix, units, layout),
-        model: model(&evaluation.system, units, layout, period),
+        covariance: in_sensor_units(&covariance, units, &untied),
+        model: model(&evaluation.system, units, &untied, period),
         modes,
-        feedthrough_sensors: layout.feedthrough.clone(),
+        feedthrough_sensors: untied.feedthrough,
+        hold: layout.hold,
+        hold_evidence,
         determined: parameters.determined,
         identifiable: layout.identifiable(),
         noise_levels,
@@ -109,7 +115,12 @@ fn rival(above: f64, a: &DMatrix<f64>, period: SamplePeriod) -> Option<Rival> {
     Some(Rival { above, eigenvalues })
 }
 
-fn model(system: &System, units: &[f64], layout: &Layout, period: SamplePeriod) -> SharedModel {
+pub(super) fn model(
+    system: &System,
+    units: &[f64],
+    layout: &Layout,
+    period: SamplePeriod,
+) -> SharedModel {
     let unit = DVector::from_column_slice(units);
     let mut c = system.c.clone();
     for (mut row, unit) in c.row_iter_mut().zip(units) {
@@ -118,6 +129,26 @@ fn model(system: &System, units: &[f64], layout: &Layout, period: SamplePeriod) 
     let feedthrough = (!layout.feedthrough.is_empty())
         .then(|| system.d.iter().map(|d| d.component_mul(&unit)).collect());
     SharedModel { a: system.a.clone(), c, b: system.b.clone(), feedthrough, period }
+}
+
+/// The covariance with the entries of d_j that follow from the other parameters.
+fn with_tied(
+    covariance: &DMatrix<f64>,
+    hold: &FirstOrder,
+    system: &System,
+    layout: &Layout,
+) -> DMatrix<f64> {
+    let untied = layout.untied();
+    let mut slopes = DMatrix::zeros(untied.parameters(), layout.parameters());
+    for record in 0..layout.records {
+        let tangent = hold.tangent(system, record, layout);
+        for i in 0..tangent.nrows() {
+            for k in 0..tangent.ncols() {
+                slopes[(untied.global(i, record), layout.global(k, record))] = tangent[(i, k)];
+            }
+        }
+    }
+    &slopes * covariance * slopes.transpose()
 }
 
 fn in_sensor_units(covariance: &DMatrix<f64>, units: &[f64], layout: &Layout) -> DMatrix<f64> {

@@ -3,6 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::feedback::feedback;
+use super::hold::FirstOrder;
+use super::options::Hold;
 use super::spectrum::{Entry, RecordSpectrum};
 use super::sums::{Scalars, Seen, Sums, sums};
 use super::system::{Layout, System};
@@ -97,9 +99,12 @@ impl Problem {
         let layout = &self.layout;
         let (p, m, n) = (layout.parameters(), layout.sensors, layout.order);
         let cells = layout.local_cells();
+        let mut system = system;
+        let hold = self.tie(&mut system);
         let mut result = Evaluation {
             eliminated: Vec::with_capacity(layout.records),
-            cost: 0.0,
+            // Without the hold's matrix there is no cost: NaN is never below anything.
+            cost: if hold.is_none() && layout.hold == Hold::FirstOrder { f64::NAN } else { 0.0 },
             record_costs: Vec::with_capacity(layout.records),
             gram: DMatrix::zeros(p, p),
             descent: DVector::zeros(p),
@@ -120,7 +125,7 @@ impl Problem {
                 Scalars::Estimated,
                 false,
             );
-            let eliminated = self.eliminate(record, &result.system, &sums, &cells);
+            let mut eliminated = self.eliminate(record, &result.system, &sums, &cells);
             let own = DVector::from_iterator(
                 eliminated.cells.len(),
                 eliminated.cells.iter().map(|&cell| sums.descent(self.cell(cell))),
@@ -128,23 +133,22 @@ impl Problem {
             let cost = (sums.cost - own.dot(&eliminated.best)).max(0.0);
             result.cost += cost;
             result.record_costs.push(cost);
-            for (local, &cell) in cells.iter().enumerate() {
-                let row = layout.global(local, record);
-                // The best coefficients follow with `response`, so that the descent is that of what is left.
-                result.descent[row] +=
-                    sums.descent(cell) + eliminated.response.column(local).dot(&own);
-                for (other, &second) in cells.iter().enumerate().take(local + 1) {
-                    let mut entry = sums.gram(cell, second);
-                    for (k, &own_cell) in eliminated.cells.iter().enumerate() {
-                        entry +=
-                            sums.gram(cell, self.cell(own_cell)) * eliminated.response[(k, other)];
-                    }
-                    let column = layout.global(other, record);
-                    result.gram[(row, column)] += entry;
-                    if row != column {
-                        result.gram[(column, row)] += entry;
-                    }
+            let known = DMatrix::from_fn(cells.len(), eliminated.cells.len(), |local, k| {
+                sums.gram(cells[local], self.cell(eliminated.cells[k]))
+            });
+            // The best coefficients follow with `response`, so that descent and Gram matrix are those of what is left.
+            let gram = sums.gram_of(&cells) + known * &eliminated.response;
+            let descent =
+                DVector::from_iterator(cells.len(), cells.iter().map(|&cell| sums.descent(cell)))
+                    + eliminated.response.tr_mul(&own);
+            let tangent = hold.as_ref().map(|hold| hold.tangent(&result.system, record, layout));
+            layout.add(record, tangent.as_ref(), gram, &mut result.gram);
+            match &tangent {
+                Some(tangent) => {
+                    layout.add_vector(record, &tangent.tr_mul(&descent), &mut result.descent);
+                    eliminated.response *= tangent;
                 }
+                None => layout.add_vector(record, &descent, &mut result.descent),
             }
             result.nuisance_rank += eliminated.rank;
             result.log_determinant += sums.log_determinant;
@@ -154,6 +158,16 @@ impl Problem {
             result.eliminated.push(eliminated);
         }
         result
+    }
+
+    /// Sets what the hold says of d_j; `None` where it says nothing.
+    pub(super) fn tie(&self, system: &mut System) -> Option<FirstOrder> {
+        if self.layout.hold == Hold::ZeroOrder {
+            return None;
+        }
+        let hold = FirstOrder::new(&system.a)?;
+        hold.tie(system, &self.layout);
+        Some(hold)
     }
 
     /// The cell of a coefficient among those of the sums: scalars are X, U, then the signals.
@@ -211,19 +225,17 @@ impl Problem {
         system: &System,
     ) -> (Vec<(usize, usize)>, DMatrix<f64>) {
         let (n, m) = (self.layout.order, self.layout.sensors);
-        let feedthrough = &self.layout.feedthrough;
+        let direct = self.layout.direct();
         let (mut cells, mut blocks) = (Vec::new(), Vec::new());
         for (signal, entry) in self.spectra[record].entries.iter().enumerate() {
             let rows: Vec<usize> = match entry {
                 Entry::State => (0..n).collect(),
-                Entry::StateAndFeedthrough => {
-                    (0..n).chain(feedthrough.iter().map(|&s| n + s)).collect()
-                }
+                Entry::StateAndFeedthrough => (0..n).chain(direct.iter().map(|&s| n + s)).collect(),
                 Entry::Sensors => (n..n + m).collect(),
             };
             // (b, d) is out of reach of a signal that enters the state alone, if any sensor has a feedthrough.
             let imitated = match entry {
-                Entry::State => feedthrough.is_empty(),
+                Entry::State => direct.is_empty(),
                 Entry::StateAndFeedthrough => true,
                 Entry::Sensors => false,
             };

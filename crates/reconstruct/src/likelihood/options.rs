@@ -49,6 +49,16 @@ pub enum Directions {
     AsStarted,
 }
 
+/// How the excitation moves between two samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Hold {
+    /// It stays what it was, as the output of a digital controller does.
+    ZeroOrder,
+    /// It moves on straight from sample to sample: close to anything that moves slowly beside the sampling, as a pilot's hand and a gust do.
+    FirstOrder,
+}
+
 /// Angular frequencies from `lowest_rad_s` to `highest_rad_s`, both included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyBand {
@@ -76,6 +86,8 @@ pub struct LikelihoodOptions {
     /// Inputs that were recorded (a yaw damper's, say): for each record a list of signals with as many samples as the record. Empty where
     /// nothing was recorded. How they enter the state, and the sensors with feedthrough, is estimated for each record.
     pub known_inputs: Vec<Vec<Vec<f64>>>,
+    /// How the excitation moves between samples; `None`, the default, takes what is more likely.
+    pub hold: Option<Hold>,
     /// The directions of excitation before the joint fit; by default re-estimated.
     pub directions: Directions,
     /// The most steps of Levenberg-Marquardt between two updates of the noise levels. The default is 100: it needs about 5 from a good start.
@@ -101,6 +113,7 @@ impl Default for LikelihoodOptions {
             band: None,
             feedthrough_sensors: Vec::new(),
             known_inputs: Vec::new(),
+            hold: None,
             directions: Directions::Reestimated,
             largest_steps: 100,
             step_tolerance: 1e-3,

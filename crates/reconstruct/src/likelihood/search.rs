@@ -28,8 +28,8 @@ const HOLD: f64 = 1e3;
 const HOPELESS: f64 = 5.0;
 
 /// The most steps between two updates of the noise levels, and the most updates, after a move.
-const STEPS_OF_A_MOVE: usize = 40;
-const UPDATES_OF_A_MOVE: usize = 5;
+pub(super) const STEPS_OF_A_MOVE: usize = 40;
+pub(super) const UPDATES_OF_A_MOVE: usize = 5;
 
 /// A top, and the start from which it was reached.
 struct Top {

@@ -44,11 +44,12 @@ pub struct SensorSpectrum {
     pub noise: Vec<f64>,
 }
 
-/// The noise levels are those of the options where they are given, otherwise `levels`.
+/// The noise levels are those of the options where they are given, otherwise `levels`; `direct` are the sensors that read inputs directly.
 pub(crate) fn spectral_fit(
     records: &[Record],
     model: &SharedModel,
     levels: &[f64],
+    direct: &[usize],
     options: &LikelihoodOptions,
 ) -> Result<Vec<SpectralFit>, ReconstructError> {
     let sensors = model.c.nrows();
@@ -60,12 +61,7 @@ pub(crate) fn spectral_fit(
     let mut fits = Vec::with_capacity(records.len());
     for (index, record) in records.iter().enumerate() {
         let spectrum = transform(record, index, &units, options, &mut planner)?;
-        let fitted = Fitted {
-            model,
-            record: index,
-            variances: &variances,
-            direct: &options.feedthrough_sensors,
-        };
+        let fitted = Fitted { model, record: index, variances: &variances, direct };
         fits.push(one(record, &spectrum, &fitted)?);
     }
     Ok(fits)

@@ -77,6 +77,19 @@ impl Sums {
         self.real[(row, column)] + sign * imaginary
     }
 
+    /// The Gram matrix of these cells.
+    pub(super) fn gram_of(&self, cells: &[(usize, usize)]) -> DMatrix<f64> {
+        let mut gram = DMatrix::zeros(cells.len(), cells.len());
+        for (k, &second) in cells.iter().enumerate() {
+            for (i, &first) in cells.iter().enumerate().take(k + 1) {
+                let entry = self.gram(first, second);
+                gram[(i, k)] = entry;
+                gram[(k, i)] = entry;
+            }
+        }
+        gram
+    }
+
     pub(super) fn descent(&self, cell: (usize, usize)) -> f64 {
         self.descent[cell.1 * self.rows + cell.0]
     }

@@ -2,13 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::options::Hold;
+
 /// A, C, and for each record b_j and d_j, in scaled sensors.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub(super) a: DMatrix<f64>,
     pub(super) c: DMatrix<f64>,
     pub(super) b: Vec<DVector<f64>>,
-    /// m entries each, zero where a sensor has no feedthrough.
+    /// m entries each; those that are not free are zero, or what the hold makes them (see `hold.rs`).
     pub(super) d: Vec<DVector<f64>>,
 }
 
@@ -18,12 +20,15 @@ pub(super) struct Layout {
     pub(super) order: usize,
     pub(super) sensors: usize,
     pub(super) records: usize,
-    /// The sensors that read the excitation directly.
+    /// The sensors that read the excitation directly, each with a free entry of d_j.
     pub(super) feedthrough: Vec<usize>,
+    /// How the excitation moves between samples. Unless it is held, every sensor has an entry of d_j, those without feedthrough one that
+    /// follows from A, C and b_j.
+    pub(super) hold: Hold,
 }
 
 impl Layout {
-    /// Parameters of each record: b_j and d_j.
+    /// Parameters of each record: b_j and the free entries of d_j.
     pub(super) fn per_record(&self) -> usize {
         self.order + self.feedthrough.len()
     }
@@ -52,13 +57,55 @@ impl Layout {
         if local < self.shared() { local } else { local + record * self.per_record() }
     }
 
-    /// Each local parameter as (row, column) of [A b; C d]: row i < n is a state, row n + s is sensor s; column n is the excitation.
+    /// The sensors with an entry of d_j, free or not.
+    pub(super) fn direct(&self) -> Vec<usize> {
+        match self.hold {
+            Hold::ZeroOrder => self.feedthrough.clone(),
+            Hold::FirstOrder => (0..self.sensors).collect(),
+        }
+    }
+
+    /// A, C and all entries of b_j and d_j as free parameters.
+    pub(super) fn untied(&self) -> Self {
+        Self { feedthrough: self.direct(), hold: Hold::ZeroOrder, ..*self }
+    }
+
+    /// Adds a matrix over a record's cells to one over all parameters. `tangent` has the derivatives of the cells by the record's parameters, if these
+    /// are not the same.
+    pub(super) fn add(
+        &self,
+        record: usize,
+        tangent: Option<&DMatrix<f64>>,
+        cells: DMatrix<f64>,
+        sum: &mut DMatrix<f64>,
+    ) {
+        let own = match tangent {
+            Some(tangent) => tangent.tr_mul(&cells) * tangent,
+            None => cells,
+        };
+        for k in 0..own.ncols() {
+            let column = self.global(k, record);
+            for i in 0..own.nrows() {
+                sum[(self.global(i, record), column)] += own[(i, k)];
+            }
+        }
+    }
+
+    /// Adds a vector over a record's parameters to one over all of them.
+    pub(super) fn add_vector(&self, record: usize, own: &DVector<f64>, sum: &mut DVector<f64>) {
+        for (local, entry) in own.iter().enumerate() {
+            sum[self.global(local, record)] += entry;
+        }
+    }
+
+    /// Each entry of A, C, b and d that is not always zero as (row, column) of [A b; C d]: row i < n is a state, row n + s is sensor s; column n is
+    /// the excitation. Under a zero-order hold these are the local parameters.
     pub(super) fn local_cells(&self) -> Vec<(usize, usize)> {
         let (n, m) = (self.order, self.sensors);
         let a = (0..n).flat_map(move |l| (0..n).map(move |i| (i, l)));
         let c = (0..n).flat_map(move |l| (0..m).map(move |s| (n + s, l)));
         let b = (0..n).map(move |i| (i, n));
-        let d = self.feedthrough.iter().map(move |&s| (n + s, n));
+        let d = self.direct().into_iter().map(move |s| (n + s, n));
         a.chain(c).chain(b).chain(d).collect()
     }
 }

@@ -1,6 +1,8 @@
 //! What is asked of records, starts and options before anything is computed.
 
-use super::options::{Directions, FrequencyBand, LikelihoodNoise, LikelihoodOptions, Offsets};
+use super::options::{
+    Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets,
+};
 use super::system::Layout;
 use crate::error::check_tolerance;
 use crate::record::check_compatible;
@@ -34,6 +36,7 @@ pub(super) fn check(
         sensors,
         records: records.len(),
         feedthrough: options.feedthrough_sensors.clone(),
+        hold: options.hold.unwrap_or(Hold::ZeroOrder),
     })
 }
 

@@ -55,5 +55,8 @@ pub fn spectral_fits(
         return Ok(Vec::new());
     };
     let levels: Vec<f64> = found.noise_levels.iter().flatten().map(|level| level.value).collect();
-    spectral_fit(records, model, &levels, &options.likelihood(records, first)?)
+    // Under a first-order hold all sensors do.
+    let fit = found.likelihood.as_ref();
+    let direct = fit.map_or(&options.feedthrough_sensors, |fit| &fit.feedthrough_sensors);
+    spectral_fit(records, model, &levels, direct, &options.likelihood(records, first)?)
 }

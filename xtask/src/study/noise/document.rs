@@ -33,8 +33,9 @@ pub(crate) fn compose(
                 100.0 * (0.95 * 0.05 / seeds as f64).sqrt()
             ),
             "excitations: white and AR(1) with 0.9 are held between samples; the band-limited one is white noise behind a Butterworth filter of fourth order with a \
-             corner at 1 Hz and moves on between samples, while the methods take it as held: at a ratio of 1000 that stands above the noise. There it \
-             helps to name every sensor in `Options::feedthrough_sensors`, for what an input does until the next sample shows in it at once; the 3-2-1-1 has steps of 0.7 s"
+             corner at 1 Hz and moves on between samples; the 3-2-1-1 has steps of 0.7 s, held. The methods are not told which is held: maximum likelihood finds out"
+                .to_owned(),
+            "95 % regions: of spiral and roll from the likelihood itself (`profile_intervals`), of the Dutch roll the ellipse of its covariance"
                 .to_owned(),
         ]));
     document.push(asked(summaries)?);

@@ -26,8 +26,6 @@ pub(crate) struct Pair {
     pub(crate) records: [Record; 2],
     /// Standard deviation of each sensor's noise, the same in both records.
     pub(crate) levels: Vec<f64>,
-    /// Sensors that the methods are told to read the excitation directly. None, as by default.
-    pub(crate) direct: Vec<usize>,
 }
 
 /// Makes records.
@@ -100,7 +98,7 @@ impl Simulator {
             let (name, period) = (SURFACES[surface], self.discrete.period());
             noisy_record(name, period, &clean[surface], &levels, &mut random)
         };
-        Ok(Pair { records: [noisy(0)?, noisy(1)?], levels, direct: Vec::new() })
+        Ok(Pair { records: [noisy(0)?, noisy(1)?], levels })
     }
 
     /// What the sensors would read without noise: one row each.

@@ -3,9 +3,9 @@
 use lti::{Transmissibility, z_to_s};
 use poly::Poly;
 use reconstruct::{
-    Directions, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method,
+    Directions, Hold, Identification, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method,
     ModeEstimate, Options, OrderChoice, Reconstruction, SearchStatus, SharedModel,
-    difference_zeros, maximise, reconstruct,
+    difference_zeros, maximise, profile_intervals, reconstruct,
 };
 
 use super::case::Case;
@@ -26,7 +26,6 @@ pub(crate) fn apply(pair: &Pair, method: Method, order: OrderChoice) -> Option<R
     let mut options = Options::default();
     options.method = method;
     options.order = order;
-    options.feedthrough_sensors.clone_from(&pair.direct);
     reconstruct(&pair.records, &options).ok()
 }
 
@@ -93,17 +92,37 @@ fn judged(
     fit: &LikelihoodFit,
     modes: &[ModeEstimate; 3],
 ) -> Result<Likelihood, TaskError> {
-    let checked = evaluated(pair, &fit.model)?;
+    let checked = evaluated(pair, &fit.model, fit.hold)?;
     let truth = simulator.modes();
     Ok(Likelihood {
         errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), &truth),
         scores: scores(modes, &truth),
-        covered: covered(modes, &truth),
+        covered: covered_by_likelihood(pair, fit, modes, &truth)?,
         chi_squared: checked.chi_squared.per_degree_of_freedom(),
         converged: fit.search.levels_settled
             && matches!(fit.search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel),
         missed: missed(simulator, pair, fit)?,
     })
+}
+
+/// Whether the intervals of the real modes, from the likelihood itself, and the ellipse of the Dutch roll hold the truth.
+fn covered_by_likelihood(
+    pair: &Pair,
+    fit: &LikelihoodFit,
+    modes: &[ModeEstimate; 3],
+    truth: &TrueModes,
+) -> Result<[bool; 3], TaskError> {
+    let intervals = profile_intervals(&pair.records, fit, &LikelihoodOptions::default())
+        .map_err(TaskError::computation(PART))?;
+    let mut covered = covered(modes, truth);
+    let truth = truth.list();
+    for (mode, covered) in covered.iter_mut().enumerate() {
+        let place = fit.modes.iter().position(|other| *other == modes[mode]);
+        if let Some([low, high]) = place.and_then(|place| intervals[place]) {
+            *covered = (low..=high).contains(&truth[mode].re);
+        }
+    }
+    Ok(covered)
 }
 
 /// Whether the search ended below the top that the true system leads to.
@@ -113,7 +132,7 @@ fn missed(simulator: &Simulator, pair: &Pair, fit: &LikelihoodFit) -> Result<boo
     let mut options = LikelihoodOptions::default();
     let levels = fit.noise_levels.iter().flatten().map(|level| level.value).collect();
     options.noise = LikelihoodNoise::Estimated { first_guess: Some(levels) };
-    options.feedthrough_sensors.clone_from(&pair.direct);
+    options.hold = Some(fit.hold);
     options.largest_moves = 0;
     let objective = |start: &SharedModel| {
         let fit = maximise(&pair.records, std::slice::from_ref(start), &options)
@@ -124,12 +143,10 @@ fn missed(simulator: &Simulator, pair: &Pair, fit: &LikelihoodFit) -> Result<boo
 }
 
 /// The likelihood of a model under the true noise levels, without a step of the search.
-fn evaluated(pair: &Pair, model: &SharedModel) -> Result<LikelihoodFit, TaskError> {
+fn evaluated(pair: &Pair, model: &SharedModel, hold: Hold) -> Result<LikelihoodFit, TaskError> {
     let mut options = LikelihoodOptions::default();
     options.noise = LikelihoodNoise::Given(pair.levels.clone());
-    if model.feedthrough.is_some() {
-        options.feedthrough_sensors.clone_from(&pair.direct);
-    }
+    options.hold = Some(hold);
     options.directions = Directions::AsStarted;
     options.largest_steps = 0;
     maximise(&pair.records, std::slice::from_ref(model), &options)
@@ -139,7 +156,7 @@ fn evaluated(pair: &Pair, model: &SharedModel) -> Result<LikelihoodFit, TaskErro
 /// The variances that no unbiased estimate without the inputs can go below: the covariance at the true system.
 fn bound(simulator: &Simulator, pair: &Pair) -> Result<PerMode, TaskError> {
     let truth = simulator.modes();
-    let fit = evaluated(pair, &simulator.truth())?;
+    let fit = evaluated(pair, &simulator.truth(), Hold::ZeroOrder)?;
     let modes = named(&fit, &truth).ok_or_else(|| TaskError::Computation {
         part: PART,
         message: "the true system lacks a mode".to_owned(),

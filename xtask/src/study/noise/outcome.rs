@@ -24,7 +24,7 @@ pub(crate) struct Outcome {
 
 impl Kept for Outcome {
     type Case = Case;
-    const EDITION: u32 = 2;
+    const EDITION: u32 = 3;
 
     fn edition(&self) -> u32 {
         self.edition

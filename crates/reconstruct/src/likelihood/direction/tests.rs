@@ -1,7 +1,7 @@
 use realfft::RealFftPlanner;
 
 use super::super::fixtures::{Disturbance, Normal, QUIET, fly, system};
-use super::super::options::{LikelihoodOptions, Trend};
+use super::super::options::{Hold, LikelihoodOptions, Trend};
 use super::super::spectrum::transform;
 use super::*;
 use crate::{NoiseSpectrum, SharedModel};
@@ -24,6 +24,7 @@ fn cosine(
         sensors: m,
         records: 1,
         feedthrough: options.feedthrough_sensors.clone(),
+        hold: Hold::ZeroOrder,
     };
     let units = DVector::from_column_slice(&flights.levels);
     let mut c = model.c.clone();

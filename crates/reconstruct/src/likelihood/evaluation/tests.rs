@@ -60,6 +60,7 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
         sensors: 3,
         records: 2,
         feedthrough: options.feedthrough_sensors.clone(),
+        hold: Hold::ZeroOrder,
     };
     let units = DVector::from_column_slice(&flights.levels);
     let mut c = model.c.clone();
@@ -91,10 +92,14 @@ fn settle(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
 #[test]
 fn the_gradient_is_that_of_the_cost() {
     const STEP: f64 = 1e-5;
-    for (feedthrough, spectra, everything) in
-        [(false, false, false), (true, false, false), (false, true, true), (true, false, true)]
+    let kinds =
+        [(false, false, false), (true, false, false), (false, true, true), (true, false, true)];
+    let holds = [Hold::ZeroOrder, Hold::FirstOrder];
+    for ((feedthrough, spectra, everything), hold) in
+        kinds.into_iter().flat_map(|kind| holds.map(|hold| (kind, hold)))
     {
-        let (problem, system) = problem(feedthrough, spectra, everything);
+        let (mut problem, system) = problem(feedthrough, spectra, everything);
+        problem.layout.hold = hold;
         let variances = [0.7, 1.0, 1.3];
         let here = settle(&problem, system.clone(), &variances);
         let size = here.descent.norm();
@@ -182,8 +187,15 @@ fn the_gram_matrix_is_that_of_the_prediction() {
 
 #[test]
 fn free_directions_carry_no_information() {
-    for (feedthrough, spectra, everything) in [(false, false, false), (true, true, true)] {
-        let (problem, system) = problem(feedthrough, spectra, everything);
+    let kinds = [
+        (false, Hold::ZeroOrder),
+        (true, Hold::ZeroOrder),
+        (false, Hold::FirstOrder),
+        (true, Hold::FirstOrder),
+    ];
+    for (all, hold) in kinds {
+        let (mut problem, system) = problem(all, all, all);
+        problem.layout.hold = hold;
         let here = settle(&problem, system, &[1.0; 3]);
         let tangents = here.system.free_directions(&problem.layout);
         for tangent in tangents.column_iter() {
@@ -194,7 +206,7 @@ fn free_directions_carry_no_information() {
             let slope = tangent.dot(&here.descent).abs();
             assert!(slope < 1e-7 * (size * here.cost).sqrt(), "{slope:e}");
         }
-        assert_eq!(problem.layout.identifiable(), if feedthrough { 22 } else { 18 });
+        assert_eq!(problem.layout.identifiable(), if all { 22 } else { 18 });
     }
 }
 

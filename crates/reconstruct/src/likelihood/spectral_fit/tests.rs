@@ -6,7 +6,7 @@ use num_complex::Complex;
 use super::*;
 use crate::likelihood::fixtures::{Disturbance, Normal, QUIET, fly, given, perturbed, system};
 use crate::likelihood::maximise;
-use crate::{LikelihoodFit, Offsets, Trend};
+use crate::{Hold, LikelihoodFit, Offsets, Trend};
 
 /// The cost of the fit from its parts at each frequency.
 fn cost(fits: &[SpectralFit], samples: &[usize]) -> f64 {
@@ -37,16 +37,27 @@ fn adds_up_with_everything_unknown() {
     let samples = [600, 501];
     let flights = fly(&truth, &samples, &disturbance, &mut normal);
     let start = perturbed(&truth, 1e-3, &mut normal);
-    for offsets in [Offsets::Free, Offsets::PriorDeviation(vec![0.2; 4])] {
+    let prior = || Offsets::PriorDeviation(vec![0.2; 4]);
+    for (offsets, hold) in
+        [(Offsets::Free, Hold::ZeroOrder), (prior(), Hold::ZeroOrder), (prior(), Hold::FirstOrder)]
+    {
         let options = LikelihoodOptions {
             offsets,
+            hold: Some(hold),
             trend: Trend::Linear,
             feedthrough_sensors: vec![3],
             known_inputs: flights.known.clone(),
             ..given(&flights.levels)
         };
         let fit = maximise(&flights.records, std::slice::from_ref(&start), &options).unwrap();
-        let fits = spectral_fit(&flights.records, &fit.model, &levels(&fit), &options).unwrap();
+        let fits = spectral_fit(
+            &flights.records,
+            &fit.model,
+            &levels(&fit),
+            &fit.feedthrough_sensors,
+            &options,
+        )
+        .unwrap();
         let (found, expected) = (cost(&fits, &samples), fit.chi_squared.value);
         assert!((found / expected - 1.0).abs() < 1e-6, "{found} and {expected}");
     }
@@ -60,7 +71,14 @@ fn response_and_noise_make_up_the_spectrum() {
     let flights = fly(&truth, &[4000, 4000], &disturbance, &mut normal);
     let options = LikelihoodOptions::default();
     let fit = maximise(&flights.records, &[truth], &options).unwrap();
-    let fits = spectral_fit(&flights.records, &fit.model, &levels(&fit), &options).unwrap();
+    let fits = spectral_fit(
+        &flights.records,
+        &fit.model,
+        &levels(&fit),
+        &fit.feedthrough_sensors,
+        &options,
+    )
+    .unwrap();
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     for (record, spectrum) in flights.records.iter().zip(&fits) {
         assert!((mean(&spectrum.residuals) - 1.0).abs() < 0.05);

@@ -3,7 +3,7 @@ use realfft::RealFftPlanner;
 
 use super::super::evaluation::Problem;
 use super::super::fixtures::{Normal, QUIET, fly, system};
-use super::super::options::LikelihoodOptions;
+use super::super::options::{Hold, LikelihoodOptions};
 use super::super::spectrum::transform;
 use super::super::system::{Layout, System};
 use super::*;
@@ -13,7 +13,8 @@ use crate::{Channel, Record};
 fn at_truth(record: &Record, model: &crate::SharedModel, scalars: Scalars) -> Sums {
     let spectrum =
         transform(record, 0, &[1.0; 3], &LikelihoodOptions::default(), &mut RealFftPlanner::new());
-    let layout = Layout { order: 3, sensors: 3, records: 1, feedthrough: Vec::new() };
+    let layout =
+        Layout { order: 3, sensors: 3, records: 1, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
     let problem = Problem { layout, spectra: vec![spectrum.unwrap()] };
     let system = System {
         a: model.a.clone(),

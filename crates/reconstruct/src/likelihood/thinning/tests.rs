@@ -3,7 +3,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::super::fixtures::{Disturbance, Normal, fly, system};
-use super::super::options::LikelihoodOptions;
+use super::super::options::{Hold, LikelihoodOptions};
 use super::super::spectrum::transform;
 use super::super::system::{Layout, System};
 use super::*;
@@ -19,7 +19,8 @@ fn problem(samples: usize) -> (Problem, System) {
     let spectra = flights.records.iter().enumerate();
     let spectra = spectra
         .map(|(k, record)| transform(record, k, &flights.levels, &options, &mut planner).unwrap());
-    let layout = Layout { order: 3, sensors: 3, records: 2, feedthrough: Vec::new() };
+    let layout =
+        Layout { order: 3, sensors: 3, records: 2, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
     let truth =
         System { a: model.a, c: model.c, b: model.b, d: vec![nalgebra::DVector::zeros(3); 2] };
     let truth =

@@ -3,7 +3,7 @@
 use super::flights::{AILERON, RUDDER, inputs, levels, noisy, readings, two};
 use super::*;
 use crate::likelihood::fixtures::Normal;
-use crate::{FrequencyBand, Offsets, Trend};
+use crate::{FrequencyBand, Hold, Offsets, Trend};
 
 #[test]
 fn offsets_and_trends_are_taken_out() {
@@ -100,4 +100,33 @@ fn band_and_feedthrough_reach_the_likelihood() {
     let fit = direct.likelihood.as_ref().unwrap();
     assert_eq!(fit.identifiable, all.likelihood.as_ref().unwrap().identifiable + 2);
     assert!(direct.model.as_ref().unwrap().feedthrough.is_some());
+}
+
+#[test]
+fn intervals_of_real_modes_come_where_they_are_asked_for() {
+    let records = two([AILERON, RUDDER], 1000, 0.0, 30.0, 23);
+    let order = OrderChoice::Fixed(4);
+    let plain = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
+    assert!(plain.modes.iter().all(|found| found.interval_95.is_none()));
+    let found =
+        reconstruct(&records, &Options { order, profile: true, ..Options::default() }).unwrap();
+    for mode in &found.modes {
+        let s = mode.mode.eigenvalue;
+        assert_eq!(mode.interval_95.is_some(), s.im == 0.0);
+        if let Some([low, high]) = mode.interval_95 {
+            assert!(low < s.re && s.re < high);
+        }
+    }
+}
+
+#[test]
+fn the_hold_reaches_the_likelihood() {
+    let records = two([AILERON, RUDDER], 1000, 0.0, 100.0, 24);
+    let order = OrderChoice::Fixed(4);
+    for hold in [Hold::ZeroOrder, Hold::FirstOrder] {
+        let options = Options { order, hold: Some(hold), ..Options::default() };
+        assert_eq!(reconstruct(&records, &options).unwrap().likelihood.unwrap().hold, hold);
+    }
+    let free = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
+    assert_eq!(free.likelihood.unwrap().hold, Hold::ZeroOrder);
 }

@@ -50,19 +50,21 @@ fn without_noise_the_printed_method_finds_everything() {
 }
 
 #[test]
-fn an_input_that_is_not_held_reaches_the_sensors_directly() {
+fn an_input_that_is_not_held_is_found_to_move_on() {
     let simulator = Simulator::new().unwrap();
     let truth = simulator.modes();
     let case = Case { excitation: Excitation::BandLimited, signal_to_noise: 1000, seed: 1 };
-    let mut pair = simulator.fly(&case).unwrap();
-    let chi_squared = |pair: &Pair| {
-        let (fit, _) = most_likely(pair, &truth).unwrap();
-        evaluated(pair, &fit.model).unwrap().chi_squared.per_degree_of_freedom()
-    };
-    let held = chi_squared(&pair);
-    assert!(held > 1.5, "{held}");
-    // What it does until the next sample shows in every sensor at once.
-    pair.direct = vec![0, 1, 2];
-    let direct = chi_squared(&pair);
-    assert!((direct - 1.0).abs() < 0.08, "{direct}");
+    let pair = simulator.fly(&case).unwrap();
+    let (fit, _) = most_likely(&pair, &truth).unwrap();
+    assert_eq!(fit.hold, Hold::FirstOrder);
+    let chi_squared = evaluated(&pair, &fit.model, fit.hold).unwrap().chi_squared;
+    let per_degree = chi_squared.per_degree_of_freedom();
+    assert!((per_degree - 1.0).abs() < 0.08, "{per_degree}");
+
+    let mut options = Options::default();
+    options.order = ORDER;
+    options.hold = Some(Hold::ZeroOrder);
+    let held = reconstruct(&pair.records, &options).unwrap().likelihood.unwrap();
+    let chi_squared = evaluated(&pair, &held.model, held.hold).unwrap().chi_squared;
+    assert!(chi_squared.per_degree_of_freedom() > 1.5, "{chi_squared:?}");
 }

@@ -1,0 +1,201 @@
+//! Intervals of real modes from the likelihood itself.
+//!
+//! A deviation describes the top of the likelihood by a parabola. Where a mode is slow beside the record, or the noise is large, the likelihood falls off
+//! faster to one side than to the other. So the mode is held in one place after another while everything else follows, and the interval ends where
+//! the likelihood has fallen by what a parabola would have lost at its 95 % ends (profile likelihood; Venzon & Moolgavkar 1988).
+//!
+//! The excitation is one unknown per frequency, and what the likelihood loses is not exactly chi-squared. Its scale is set where it must agree with the
+//! deviation: close to the top.
+
+use realfft::RealFftPlanner;
+
+use super::climb::settled_again;
+use super::evaluation::{Evaluation, Problem};
+use super::finished::{Finished, finished};
+use super::held::Held as Place;
+use super::levenberg_marquardt::{Limits, minimise};
+use super::{LikelihoodFit, LikelihoodOptions, ModeEstimate};
+use crate::{ReconstructError, Record};
+
+/// The normal distribution holds 95 % within this many deviations.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
+/// Where the likelihood must agree with the deviation, in deviations to either side.
+const CLOSE: f64 = 0.5;
+/// An end is found where the likelihood has fallen by as much as at so many deviations more or less.
+const CLOSE_ENOUGH: f64 = 0.02;
+/// The next trial lies at most so many times farther out.
+const FARTHEST: f64 = 2.0;
+/// Trials of an end.
+const TRIALS: usize = 15;
+/// Beyond so many deviations there is no end.
+const ENDLESS: f64 = 50.0;
+/// A mode is held within its deviation over this.
+const HOLD: f64 = 100.0;
+
+/// The 95 % interval of each real mode's eigenvalue s in rad/s, in the order of [`LikelihoodFit::modes`], from the likelihood; `None` for complex
+/// pairs, for modes without a finite deviation, and for z below zero.
+///
+/// The interval agrees with [`ComplexEstimate`](crate::ComplexEstimate)'s deviation where that is small, and need not be symmetric where it is not. An end is
+/// infinite where the likelihood does not fall far enough. Noise levels stay as they were fitted.
+///
+/// `fit` is the result of [`maximise`](crate::maximise) for the same records and options. Each takes about 20 evaluations of the likelihood, as many as a fit.
+///
+/// Source: Venzon & Moolgavkar, A Method for Computing Profile-Likelihood-Based Confidence Intervals, Applied Statistics 37 (1988).
+///
+/// # Errors
+///
+/// Those of [`maximise`](crate::maximise) for records and options.
+///
+/// # Example
+///
+/// ```
+/// use lti::SamplePeriod;
+/// use nalgebra::{DMatrix, DVector};
+/// use reconstruct::{Channel, LikelihoodOptions, Record, SharedModel, maximise, profile_intervals};
+///
+/// let mut state = 1_u32;
+/// let mut uniform = || {
+///     state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+///     f64::from(state) / 2_147_483_648.0 - 1.0
+/// };
+/// // Two records of a system with the eigenvalues 0.5 and 0.99: the second one is slow beside 60 samples.
+/// let truth = SharedModel {
+///     a: DMatrix::from_row_slice(2, 2, &[0.5, 0.0, 0.0, 0.99]),
+///     c: DMatrix::from_row_slice(3, 2, &[1.0, 1.0, 1.0, -1.0, 1.0, 3.0]),
+///     b: vec![DVector::from_vec(vec![1.0, 1.0]), DVector::from_vec(vec![2.0, 1.0])],
+///     feedthrough: None,
+///     period: SamplePeriod::new(1.0)?,
+/// };
+/// let mut record = |name: &str, b: &DVector<f64>| {
+///     let mut x = DVector::zeros(2);
+///     let mut outputs = vec![Vec::new(); 3];
+///     for _ in 0..60 {
+///         for (output, value) in outputs.iter_mut().zip((&truth.c * &x).iter()) {
+///             output.push(value + 0.2 * uniform());
+///         }
+///         x = &truth.a * x + b * uniform();
+///     }
+///     let channels = outputs.into_iter().zip(["y1", "y2", "y3"]).map(|(values, name)| Channel::new(name, values));
+///     Record::new(name, truth.period, channels.collect())
+/// };
+/// let records = [record("first", &truth.b[0])?, record("second", &truth.b[1])?];
+/// let options = LikelihoodOptions::default();
+/// let fit = maximise(&records, &[truth.clone()], &options)?;
+/// let [low, high] = profile_intervals(&records, &fit, &options)?[1].ok_or("no interval")?;
+/// let s = 0.99_f64.ln();
+/// assert!(low < s && s < high);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn profile_intervals(
+    records: &[Record],
+    fit: &LikelihoodFit,
+    options: &LikelihoodOptions,
+) -> Result<Vec<Option<[f64; 2]>>, ReconstructError> {
+    let Finished { problem, evaluation, units } =
+        finished(records, fit, options, &mut RealFftPlanner::new())?;
+    let profile = Profile {
+        problem: &problem,
+        top: evaluation,
+        variances: vec![1.0; units.len()],
+        degrees_of_freedom: fit.chi_squared.degrees_of_freedom,
+        period: fit.model.period.seconds(),
+    };
+    Ok(fit.modes.iter().map(|mode| profile.interval(mode)).collect())
+}
+
+struct Profile<'a> {
+    problem: &'a Problem,
+    top: Evaluation,
+    variances: Vec<f64>,
+    degrees_of_freedom: f64,
+    period: f64,
+}
+
+/// A fit around a mode that is held.
+struct Held {
+    /// What minus twice the logarithm of the likelihood lies above the top's.
+    fall: f64,
+    evaluation: Evaluation,
+}
+
+impl Profile<'_> {
+    fn interval(&self, mode: &ModeEstimate) -> Option<[f64; 2]> {
+        let (s, deviation) = (mode.continuous.value, mode.continuous.real_deviation());
+        let real = mode.discrete.value.im == 0.0 && mode.discrete.value.re > 0.0;
+        if !(real && deviation > 0.0 && deviation.is_finite()) {
+            return None;
+        }
+        let at = |off: f64, start: &Evaluation| self.held(s.re + off * deviation, deviation, start);
+        let (below, above) = (at(-CLOSE, &self.top)?, at(CLOSE, &self.top)?);
+        // What a parabola with this deviation would fall by is off^2. The likelihood's own is narrower if anything.
+        let scale = 0.5 * (below.fall + above.fall) / (CLOSE * CLOSE);
+        if !scale.is_finite() {
+            return None;
+        }
+        let scale = scale.max(1.0);
+        let root = |held: &Held| (held.fall / scale).max(0.0).sqrt();
+        let low = distance(below, root, |off, near| at(-off, &near.evaluation));
+        let high = distance(above, root, |off, near| at(off, &near.evaluation));
+        Some([s.re - low * deviation, s.re + high * deviation])
+    }
+
+    /// The fit with the eigenvalue held at s, from one nearby. `None` where it cannot be held there.
+    fn held(&self, s: f64, deviation: f64, start: &Evaluation) -> Option<Held> {
+        const STEPS: usize = 50;
+        // What is left to fall is its square.
+        const STEP_TOLERANCE: f64 = 0.1;
+        let eigenvalue = (s * self.period).exp();
+        let width = deviation * self.period * eigenvalue / HOLD;
+        let limits = Limits {
+            steps: STEPS,
+            step_tolerance: STEP_TOLERANCE,
+            degrees_of_freedom: self.degrees_of_freedom,
+            energy: 0.0,
+            ceiling: f64::INFINITY,
+            held: Some(Place { eigenvalue, penalty: 1.0 / (width * width) }),
+        };
+        let found = minimise(self.problem, start.clone(), &self.variances, limits);
+        let evaluation = settled_again(self.problem, found.evaluation, &self.variances);
+        let fall = evaluation.cost - self.top.cost;
+        fall.is_finite().then_some(Held { fall, evaluation })
+    }
+}
+
+/// How far out the likelihood has fallen as far as at a 95 % end, in deviations: infinite where it does not. `root` is the fall in deviations; `close` is that at
+/// `CLOSE`, and every trial starts from the closest one inside.
+fn distance<T>(close: T, root: impl Fn(&T) -> f64, at: impl Fn(f64, &T) -> Option<T>) -> f64 {
+    let (mut inside, mut outside) = ((CLOSE, close), None);
+    for _ in 0..TRIALS {
+        let fallen = root(&inside.1).min(NORMAL_95);
+        let trial = match outside {
+            None => {
+                let growth = (NORMAL_95 / fallen.max(0.1)).clamp(1.05, FARTHEST);
+                (inside.0 * growth).min(ENDLESS)
+            }
+            Some((far, fell)) if f64::is_finite(fell) => {
+                let share = (NORMAL_95 - fallen) / (fell - fallen);
+                inside.0 + share.clamp(0.05, 0.95) * (far - inside.0)
+            }
+            Some((far, _)) => 0.5 * (inside.0 + far),
+        };
+        // Where the mode cannot be held the likelihood says nothing, and the end is before that.
+        let next = at(trial, &inside.1);
+        let here = next.as_ref().map_or(f64::INFINITY, &root);
+        if (here - NORMAL_95).abs() <= CLOSE_ENOUGH {
+            return trial;
+        }
+        match next {
+            Some(next) if here < NORMAL_95 => {
+                if trial >= ENDLESS {
+                    return f64::INFINITY;
+                }
+                inside = (trial, next);
+            }
+            _ => outside = Some((trial, here)),
+        }
+    }
+    outside.map_or(f64::INFINITY, |(far, _)| 0.5 * (inside.0 + far))
+}
+
+#[cfg(test)]
+mod tests;
