@@ -4,6 +4,7 @@
 mod arrays;
 mod bad_files;
 mod bad_input;
+mod browser;
 mod damage;
 mod files;
 mod fit;
@@ -16,3 +17,4 @@ mod identify_records;
 mod inspect;
 mod layering;
 mod program;
+mod report;

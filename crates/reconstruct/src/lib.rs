@@ -16,6 +16,7 @@
 //! | [`profile_intervals`] | intervals of real modes that need not be symmetric, for short or noisy records |
 //! | [`bootstrap`] | deviations of the modes from repeated noise, as a cross-check |
 //! | [`fitted_transmissibilities`] | response, zeros and poles of every pair of sensors as fitted, with their uncertainty |
+//! | [`spectral_fits`] | response, noise and residuals of every record at each frequency |
 //! | [`SharedModel`], [`NoiseModel`] | what records have in common, and what is known about their noise |
 //! | [`VectorAutoregression`], [`NoiseSpectrum`] | the disturbance's spectrum from a quiet record |
 //!
@@ -66,14 +67,14 @@ pub use identification::{Identification, IdentificationOptions, identify};
 pub use likelihood::{
     Bootstrap, BootstrapMode, ChiSquared, ComplexEstimate, Directions, Ellipse, Estimate,
     FrequencyBand, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, ModeEstimate,
-    OffsetTest, Offsets, Rival, SearchReport, SearchStatus, StartReport, Trend, Whiteness,
-    bootstrap, maximise, profile_intervals,
+    OffsetTest, Offsets, Rival, SearchReport, SearchStatus, SensorSpectrum, SpectralFit,
+    StartReport, Trend, Whiteness, bootstrap, maximise, profile_intervals,
 };
 pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use reconstruction::{
-    FoundMode, Method, Options, Reconstruction, ReconstructionDoubt, reconstruct,
+    FoundMode, Method, Options, Reconstruction, ReconstructionDoubt, reconstruct, spectral_fits,
 };
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};

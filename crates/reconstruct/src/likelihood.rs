@@ -28,6 +28,7 @@
 //! | `uncertainty.rs`, `goodness.rs`, `offset_test.rs`, `gamma.rs` | covariances, intervals, chi-squared, whiteness, offsets |
 //! | `profile.rs` | intervals of real modes from the likelihood itself |
 //! | `bootstrap.rs`, `finished.rs` | deviations of modes from repeated noise; the problem of a fit that is finished |
+//! | `spectral_fit.rs` | response, noise and residuals at each frequency |
 
 mod at_frequencies;
 mod bootstrap;
@@ -53,6 +54,7 @@ mod profile;
 mod resolvent;
 mod search;
 mod slow_modes;
+mod spectral_fit;
 mod spectrum;
 mod sums;
 mod system;
@@ -73,6 +75,8 @@ pub use options::{
     Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets, Trend,
 };
 pub use profile::profile_intervals;
+pub(crate) use spectral_fit::spectral_fit;
+pub use spectral_fit::{SensorSpectrum, SpectralFit};
 pub use uncertainty::{ComplexEstimate, Ellipse, Estimate, ModeEstimate};
 
 use crate::{ReconstructError, Record, SharedModel};

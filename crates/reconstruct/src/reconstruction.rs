@@ -2,6 +2,7 @@
 
 mod doubt;
 mod options;
+mod spectra;
 mod starts;
 
 use lti::{Discrete, Mode, SamplePeriod, StateSpace};
@@ -9,6 +10,7 @@ use nalgebra::DMatrix;
 
 pub use doubt::ReconstructionDoubt;
 pub use options::{Method, Options};
+pub use spectra::spectral_fits;
 use starts::FirstStage;
 
 use crate::{

@@ -38,6 +38,20 @@ pub enum CommandError {
         /// The file.
         file: PathBuf,
     },
+    /// A folder for a report that holds something else.
+    #[error(
+        "{} holds {}, which is no part of a report; name a new or an empty folder",
+        folder.display(), entry.display()
+    )]
+    NotAReport {
+        /// The folder.
+        folder: PathBuf,
+        /// What it holds.
+        entry: PathBuf,
+    },
+    /// A report that cannot be drawn.
+    #[error("the report cannot be drawn: {0}")]
+    Report(String),
     /// One column asked for as both sensors.
     #[error(
         "--input and --output both name {column:?}; a transmissibility relates two different sensors"

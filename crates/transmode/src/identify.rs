@@ -14,12 +14,17 @@ use std::path::Path;
 use reconstruct::reconstruct;
 
 use crate::args::{Given, IdentifyArgs};
-use crate::{CommandError, Exit, modes, output};
+use crate::records::Progress;
+use crate::{CommandError, Exit, modes, output, report};
 use input::Input;
 use outcome::{Flight, Outcome};
 
 /// Reads the records, reconstructs the modes and writes them.
-pub(crate) fn run(given: &Given<IdentifyArgs>, out: &mut dyn Write) -> Result<Exit, CommandError> {
+pub(crate) fn run(
+    given: &Given<IdentifyArgs>,
+    typed: &str,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
     let args = config::complete(given)?;
     options::check_method(&args)?;
     if let Some(file) = &args.json {
@@ -27,6 +32,9 @@ pub(crate) fn run(given: &Given<IdentifyArgs>, out: &mut dyn Write) -> Result<Ex
         files.extend(args.noise_record.iter().map(|file| file.path().as_path()));
         files.extend(args.config.as_deref());
         output::check_place(file, &files)?;
+    }
+    if let Some(folder) = &args.report {
+        report::check_place(folder)?;
     }
     let Input { records, sources, known_inputs, noise, warnings } = input::read(&args)?;
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
@@ -48,6 +56,20 @@ pub(crate) fn run(given: &Given<IdentifyArgs>, out: &mut dyn Write) -> Result<Ex
         warnings: &warnings,
     };
 
+    if let Some(folder) = &args.report {
+        let input = report::Input {
+            command: typed,
+            records: &records,
+            sources: &sources,
+            warnings: &warnings,
+            options: &options,
+            result: &result,
+            found: &found,
+            flying: args.aircraft_class.zip(args.flight_phase),
+            progress: Progress::Shown,
+        };
+        report::write(folder, &input)?;
+    }
     // The file first: if it cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
     if let Some(file) = &args.json {

@@ -4,6 +4,7 @@
 //! writes are read or written here; the crates below compute.
 
 mod args;
+mod command_line;
 mod doubts;
 mod error;
 mod fit;
@@ -12,6 +13,7 @@ mod inspect;
 mod modes;
 mod output;
 mod records;
+mod report;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};
@@ -55,6 +57,8 @@ pub fn run<W: Into<OsString> + Clone>(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Exit {
+    let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
+    let typed = command_line::as_typed(&words);
     let args = match args::Args::try_parse_from(words) {
         Ok(args) => args,
         // Help and version are asked for, so they are results; anything else is bad input.
@@ -72,7 +76,7 @@ pub fn run<W: Into<OsString> + Clone>(
         }
     };
     let result = match args.command {
-        args::Command::Identify(args) => identify::run(&args, out),
+        args::Command::Identify(args) => identify::run(&args, &typed, out),
         args::Command::Fit(args) => fit::run(&args, out),
         args::Command::Inspect(args) => inspect::run(&args, out),
     };

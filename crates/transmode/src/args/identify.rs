@@ -90,6 +90,11 @@ pub(crate) struct IdentifyArgs {
     /// Write the result as JSON to this file, or to standard output in place of the table with -.
     #[arg(long, value_name = "FILE|-")]
     pub(crate) json: Option<PathBuf>,
+
+    /// Write a page with figures that says what was found and why it can be trusted, report.html, and each figure as SVG and PNG into this folder;
+    /// it is new, empty, or holds an older report, which is replaced.
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) report: Option<PathBuf>,
 }
 
 impl IdentifyArgs {

@@ -14,8 +14,16 @@ pub(crate) enum Progress {
     /// Bars on standard error, where that is a terminal and reading takes over a second; they are gone at the end.
     Shown,
     /// Nothing is shown.
-    #[expect(dead_code, reason = "for commands that are told to be quiet")]
+    #[cfg_attr(not(test), expect(dead_code, reason = "for commands that are told to be quiet"))]
     Hidden,
+}
+
+/// Work without a known end.
+#[derive(Debug)]
+pub(crate) struct Working {
+    bar: ProgressBar,
+    started: Instant,
+    mode: Progress,
 }
 
 /// How far one file has been read.
@@ -41,6 +49,36 @@ impl Progress {
     /// For a record of so many samples.
     pub(crate) fn samples(self, count: u64) -> Bar {
         Bar::new(self, count, "{bar:30} {human_pos}/{human_len} samples, {eta} left")
+    }
+}
+
+impl Progress {
+    /// For work of many steps, of which nobody knows how long they take.
+    pub(crate) fn work(self, what: &'static str) -> Working {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        Working { bar: bar.with_message(what), started: Instant::now(), mode: self }
+    }
+}
+
+impl Working {
+    /// Another step is done.
+    pub(crate) fn tick(&self) {
+        /// How often a spinner turns by itself.
+        const TURN: Duration = Duration::from_millis(120);
+        if self.mode == Progress::Shown && self.bar.is_hidden() && self.started.elapsed() > PATIENCE
+        {
+            // Draws only where standard error is a terminal.
+            self.bar.set_style(ProgressStyle::default_spinner());
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+            self.bar.enable_steady_tick(TURN);
+        }
+        self.bar.tick();
+    }
+}
+
+impl Drop for Working {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
     }
 }
 

@@ -1,0 +1,113 @@
+//! `transmode identify --report DIR`: one page that says what was found and why it can be trusted, and its figures as files.
+//!
+//! | file of the folder | what it is |
+//! |---|---|
+//! | `report.html` | the page: nothing is fetched and no script runs |
+//! | `ID.svg`, `ID.png` | each figure; ID is one of [`FIGURES`] |
+//!
+//! Each section is a file of its own. A section that a method cannot fill says so in one sentence.
+
+mod folder;
+mod history;
+mod mode_table;
+mod order;
+mod pole_map;
+mod provenance;
+mod residuals;
+mod spectra;
+mod stabilisation;
+mod style;
+mod summary;
+mod thinning;
+mod transmissibility;
+
+use std::path::Path;
+
+use aircraft::{AircraftClass, FlightPhaseCategory};
+use report::{Block, Document};
+
+use crate::CommandError;
+use crate::modes::Found;
+use crate::records::{LoadWarning, Progress, Source};
+
+pub(crate) use folder::check_place;
+
+/// The page's name in the folder.
+const PAGE: &str = "report.html";
+
+/// What the figures are called, in the order of the page.
+const FIGURES: [&str; 8] = [
+    pole_map::ID,
+    order::ID,
+    stabilisation::ID,
+    history::ID,
+    spectra::ID,
+    residuals::ID,
+    residuals::WHITENESS_ID,
+    transmissibility::ID,
+];
+
+/// Pixels of a PNG per unit of the figure: sharp on paper at half a page's width.
+const PNG_SCALE: f32 = 2.0;
+
+/// What a report is made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Input<'a> {
+    /// The command line, ready to be pasted.
+    pub(crate) command: &'a str,
+    pub(crate) records: &'a [reconstruct::Record],
+    /// One for each record.
+    pub(crate) sources: &'a [Source],
+    pub(crate) warnings: &'a [LoadWarning],
+    /// What the result was asked with.
+    pub(crate) options: &'a reconstruct::Options,
+    pub(crate) result: &'a reconstruct::Reconstruction,
+    pub(crate) found: &'a [Found],
+    /// For flying-quality levels, which are left out without it.
+    pub(crate) flying: Option<(AircraftClass, FlightPhaseCategory)>,
+    pub(crate) progress: Progress,
+}
+
+/// Writes the report into a folder that [`check_place`] allows: all of it or nothing.
+///
+/// # Errors
+///
+/// [`CommandError::Write`] and [`CommandError::NotAReport`] for the folder, [`CommandError::Report`] where a figure cannot be drawn.
+pub(crate) fn write(folder: &Path, input: &Input<'_>) -> Result<(), CommandError> {
+    let working = input.progress.work("report");
+    let mut document = Document::new("Modes from sensor records");
+    for section in SECTIONS {
+        section(input)?.into_iter().for_each(|block| document.push(block));
+        working.tick();
+    }
+    let fault = |error: report::ReportError| CommandError::Report(error.to_string());
+    let page = report::html::render(&document).map_err(fault)?;
+    let mut files = vec![(PAGE.to_owned(), page.into_bytes())];
+    for figure in document.figures() {
+        let picture = report::svg::render(figure).map_err(fault)?;
+        let image = report::png::render(&picture, PNG_SCALE).map_err(fault)?;
+        files.push((format!("{}.svg", figure.id), picture.into_bytes()));
+        files.push((format!("{}.png", figure.id), image));
+        working.tick();
+    }
+    folder::replace(folder, &files)
+}
+
+/// A part of the page.
+type Section = fn(&Input<'_>) -> Result<Vec<Block>, CommandError>;
+
+/// In reading order: the answer, why it can be trusted, what it comes from.
+const SECTIONS: [Section; 9] = [
+    summary::blocks,
+    mode_table::blocks,
+    pole_map::blocks,
+    order::blocks,
+    stabilisation::blocks,
+    history::blocks,
+    spectra::blocks,
+    transmissibility::blocks,
+    provenance::blocks,
+];
+
+#[cfg(test)]
+mod tests;
