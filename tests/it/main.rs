@@ -12,3 +12,4 @@ mod identify;
 mod inspect;
 mod layering;
 mod program;
+mod simulate;

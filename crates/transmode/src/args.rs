@@ -3,6 +3,7 @@
 mod files;
 mod fit;
 mod inspect;
+mod simulate;
 
 use std::path::PathBuf;
 
@@ -11,6 +12,7 @@ use clap::{Parser, Subcommand};
 pub(crate) use files::FileArgs;
 pub(crate) use fit::FitArgs;
 pub(crate) use inspect::InspectArgs;
+pub(crate) use simulate::{ExcitationKind, SimulateArgs, SurfaceChoice};
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
@@ -28,6 +30,7 @@ pub(crate) enum Command {
     Identify(IdentifyArgs),
     Fit(FitArgs),
     Inspect(InspectArgs),
+    Simulate(SimulateArgs),
 }
 
 /// Names the modes of a system from two or more records of its sensors.

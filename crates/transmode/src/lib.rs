@@ -11,13 +11,14 @@ mod inspect;
 mod modes;
 mod output;
 mod records;
+mod simulate;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::{CommandError, Others, SelectionError, TableError, TimeError};
+pub use error::{CommandError, Others, SelectionError, SimulateError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.
@@ -74,6 +75,7 @@ pub fn run<W: Into<OsString> + Clone>(
         args::Command::Identify(args) => identify::run(&args, out),
         args::Command::Fit(args) => fit::run(&args, out),
         args::Command::Inspect(args) => inspect::run(&args, out),
+        args::Command::Simulate(args) => simulate::run(&args, out),
     };
     result.unwrap_or_else(|error| {
         // A reader that went away, such as `head`, has what it wanted.
