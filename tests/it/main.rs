@@ -11,5 +11,7 @@ mod fit_bad_input;
 mod identify;
 mod inspect;
 mod layering;
+mod monitor;
+mod pages;
 mod program;
 mod simulate;

@@ -179,7 +179,7 @@ fn an_aircraft_from_a_file() {
     };
     let changed = |from: &str, to: &str| TRAINER.replacen(from, to, 1);
     refuses("a.toml", &changed("l_p_per_s = -8.4\n", ""), "missing field `l_p_per_s`");
-    refuses("a.toml", &changed("l_p_per_s", "L_p"), "a.toml: line 8: unknown field `L_p`");
+    refuses("a.toml", &changed("l_p_per_s", "L_p"), "a.toml: line 7: unknown field `L_p`");
     refuses("a.toml", &changed("200.0", "-200.0"), "trim_speed_ft_s is -200");
     refuses("a.toml", &changed("1000.0", "\"heavy\""), "line 18: invalid type: string \"heavy\"");
     refuses("a.toml", "name =", "a.toml: line 1");

@@ -3,6 +3,8 @@
 mod files;
 mod fit;
 mod inspect;
+mod monitor;
+mod pages;
 mod simulate;
 
 use std::path::PathBuf;
@@ -12,6 +14,8 @@ use clap::{Parser, Subcommand};
 pub(crate) use files::FileArgs;
 pub(crate) use fit::FitArgs;
 pub(crate) use inspect::InspectArgs;
+pub(crate) use monitor::MonitorArgs;
+pub(crate) use pages::{CompletionsArgs, ManArgs};
 pub(crate) use simulate::{ExcitationKind, SimulateArgs, SurfaceChoice};
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
@@ -20,6 +24,29 @@ pub(crate) use simulate::{ExcitationKind, SimulateArgs, SurfaceChoice};
 pub(crate) struct Args {
     #[command(subcommand)]
     pub(crate) command: Command,
+
+    /// Show no progress, and no text on standard output where the result goes to files.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+
+    /// Colours of help and of messages; with auto they are used on a terminal, unless NO_COLOR is set.
+    #[arg(long, global = true, value_enum, default_value_t = clap::ColorChoice::Auto, hide_possible_values = false, value_name = "WHEN")]
+    pub(crate) color: clap::ColorChoice,
+}
+
+impl Command {
+    /// Whether the result goes to files, so that standard output only repeats it.
+    pub(crate) fn writes_files(&self) -> bool {
+        let json = match self {
+            Self::Identify(args) => &args.json,
+            Self::Fit(args) => &args.json,
+            Self::Inspect(args) => &args.json,
+            Self::Monitor(args) => &args.json,
+            Self::Simulate(_) | Self::Man(_) => return true,
+            Self::Completions(_) => return false,
+        };
+        json.as_ref().is_some_and(|file| file.as_os_str() != "-")
+    }
 }
 
 const AFTER_HELP: &str = "\
@@ -31,6 +58,9 @@ pub(crate) enum Command {
     Fit(FitArgs),
     Inspect(InspectArgs),
     Simulate(SimulateArgs),
+    Monitor(MonitorArgs),
+    Completions(CompletionsArgs),
+    Man(ManArgs),
 }
 
 /// Names the modes of a system from two or more records of its sensors.

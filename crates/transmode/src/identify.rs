@@ -14,12 +14,16 @@ use crate::records::{self, Loaded, Progress};
 use crate::{CommandError, Exit, modes, output};
 
 /// Reads the records, reconstructs the modes and writes them.
-pub(crate) fn run(args: &IdentifyArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+pub(crate) fn run(
+    args: &IdentifyArgs,
+    progress: Progress,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
     if let Some(file) = &args.json {
         output::check_place(file, &args.files.paths())?;
     }
     let Loaded { records, warnings, .. } =
-        records::load(&args.files.files, &args.files.options(), Progress::Shown)?;
+        records::load(&args.files.files, &args.files.options(), progress)?;
 
     let fault = |message: String| CommandError::Reconstruct(message);
     let orders = Orders::new(args.iir, args.causal, args.anticausal)
