@@ -392,7 +392,12 @@ fn choices() -> Vec<Case> {
             &["--decimate", "18446744073709551615"],
             "needs more than 18446744073709551615 samples",
         ),
-        ("two.csv", good(), &["--outputs", "beta,p"], "2 sensor channel(s), but 3 are needed"),
+        (
+            "two.csv",
+            good(),
+            &["--outputs", "beta,p"],
+            "2 record(s) of 2 sensor(s), but 3 are needed",
+        ),
         (
             "other.csv",
             table(HEADER, |k, row| format!("{},{}", k * 2, row.split_once(',').unwrap().1)),
@@ -430,7 +435,7 @@ fn windows_and_options_that_cannot_be() {
             "no sample lies in the window from 30 s to 40 s; its time runs from 0 s to 19.9 s",
         ),
         ("5:5.05", "holds 1 sample; at least 2"),
-        ("0:10", "1 record(s), but 2 are needed"),
+        ("0:10", "1 record(s) of 4 sensor(s), but 2 are needed"),
     ] {
         transmode(&["identify", "--window", &window(text)]).refused(expected);
     }

@@ -117,7 +117,12 @@ fn columns_that_are_not_there() {
     refuses(good(), &["--outputs", "beta,,p"], "separate the names by single commas");
     refuses("time,,p\n0,1,2\n0.1,2,3\n", &["--outputs", "q,r"], "it has time, \"\", p");
     refuses("time\n0\n0.1\n", &[], "bad.csv: time is its only column");
-    refuses(good(), &["--outputs", "beta,p"], "2 sensor channel(s), but 3 are needed");
+    refuses(good(), &["--outputs", "beta,p"], "2 record(s) of 2 sensor(s), but 3 are needed");
+    refuses(
+        good(),
+        &["--outputs", "beta,p", "--method", "as-printed"],
+        "2 sensor channel(s), but 3 are needed",
+    );
     refuses("time,beta,p\n0,1,2\n0.1,2,3\n", &[], "has channels beta, p");
     refuses(
         "beta,p,r,phi\n1,2,3,4\n",
@@ -128,7 +133,8 @@ fn columns_that_are_not_there() {
 
 #[test]
 fn records_that_say_too_little() {
-    refuses(rows(60, good_row), &[], "60 samples");
+    refuses(rows(60, good_row), &["--method", "as-printed"], "60 samples");
+    refuses(rows(8, good_row), &[], "8 samples");
     let constant =
         rows(200, |k| format!("{},1.5,{k},{},{}\n", f64::from(k) / 10.0, k * k % 13, k % 7));
     refuses(constant, &[], "constant");
@@ -143,7 +149,7 @@ fn orders_that_cannot_be() {
     let [good, more] = ["noise_free_aileron.csv", "noise_free_rudder.csv"].map(shipped);
     let check = |words: &[&str], expected: &str| {
         let ran =
-            transmode(&[&["identify", &good, &more, "--outputs", "beta,p,r"], words].concat());
+            transmode(&[&["identify", &good, &more, "--method", "as-printed"], words].concat());
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::BadInput, ""), "{words:?}");
         assert!(ran.err.contains(expected), "{}", ran.err);
     };
@@ -166,7 +172,7 @@ fn command_lines_that_cannot_be() {
     }
     let ran = transmode(&["identify", &good]);
     assert_eq!(ran.exit, Exit::BadInput);
-    assert!(ran.err.contains("1 record(s), but 2 are needed"), "{}", ran.err);
+    assert!(ran.err.contains("1 record(s) of 4 sensor(s), but 2 are needed"), "{}", ran.err);
     let ran = transmode(&["identify", &good, &good]);
     assert!(ran.err.contains("is given twice; each record needs"), "{}", ran.err);
 }

@@ -45,7 +45,9 @@ fn plain(number: f64) -> String {
 /// Runs `identify` on two files and reads its JSON.
 fn identify(files: &[String], words: &[&str]) -> (Exit, Value) {
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    let ran = transmode(&[&["identify"], &files[..], words, &["--json", "-"]].concat());
+    let ran = transmode(
+        &[&["identify"], &files[..], words, &["--method", "as-printed", "--json", "-"]].concat(),
+    );
     assert_eq!(ran.err, "", "{words:?}");
     (ran.exit, serde_json::from_str(&ran.out).unwrap())
 }

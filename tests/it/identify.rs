@@ -1,4 +1,4 @@
-//! `transmode identify` on the records that the repository ships.
+//! `transmode identify`, above all by the printed method, on the records that the repository ships.
 
 use serde_json::Value;
 use transmode::Exit;
@@ -19,7 +19,8 @@ fn noise_free() -> [String; 2] {
 #[test]
 fn names_the_modes_of_the_aircraft() {
     let [aileron, rudder] = noise_free();
-    let ran = transmode(&["identify", &aileron, &rudder, "--outputs", "beta,p,r"]);
+    let words = ["identify", &aileron, &rudder, "--outputs", "beta,p,r", "--method", "as-printed"];
+    let ran = transmode(&words);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
     for text in [
         "Dutch roll",
@@ -38,7 +39,16 @@ fn names_the_modes_of_the_aircraft() {
 fn json_holds_the_numbers_in_full() {
     let ([aileron, rudder], folder) = (noise_free(), Folder::new());
     let file = folder.path("modes.json");
-    let words = ["identify", &aileron, &rudder, "--outputs", "beta,p,r", "--json"];
+    let words = [
+        "identify",
+        &aileron,
+        &rudder,
+        "--outputs",
+        "beta,p,r",
+        "--method",
+        "as-printed",
+        "--json",
+    ];
     let ran = transmode(&[&words[..], &[file.to_str().unwrap()]].concat());
     assert_eq!(ran.exit, Exit::Fine);
     assert!(ran.out.contains("Dutch roll"));
@@ -75,7 +85,8 @@ fn json_holds_the_numbers_in_full() {
 #[test]
 fn all_columns_but_time_are_sensors_by_default() {
     let [aileron, rudder] = noise_free();
-    let ran = transmode(&["identify", &aileron, &rudder, "--json", "-"]);
+    let words = ["identify", &aileron, &rudder, "--method", "as-printed", "--json", "-"];
+    let ran = transmode(&words);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.out);
     let json: Value = serde_json::from_str(&ran.out).unwrap();
     // beta to p, r and phi, for two records.
@@ -123,7 +134,9 @@ fn noise_is_told_and_the_exit_code_says_it() {
         }
         folder.file(file.rsplit('/').next().unwrap(), changed)
     });
-    let ran = transmode(&["identify", &noisy[0], &noisy[1], "--outputs", "beta,p,r"]);
+    let words =
+        ["identify", &noisy[0], &noisy[1], "--outputs", "beta,p,r", "--method", "as-printed"];
+    let ran = transmode(&words);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Doubtful, ""));
     assert!(
         ran.out.contains("warning: record noise_free_aileron.csv, sensor p: the fit leaves"),
@@ -161,7 +174,16 @@ impl std::io::Write for Gone {
 fn a_reader_that_went_away_is_no_fault() {
     let [aileron, rudder] = noise_free();
     for words in [
-        &["transmode", "identify", &aileron, &rudder, "--outputs", "beta,p,r"][..],
+        &[
+            "transmode",
+            "identify",
+            &aileron,
+            &rudder,
+            "--outputs",
+            "beta,p,r",
+            "--method",
+            "subspace",
+        ][..],
         &["transmode", "--help"],
     ] {
         let mut err = Vec::new();

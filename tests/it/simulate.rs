@@ -121,13 +121,8 @@ fn identify_finds_what_the_truth_states() {
     simulate(&folder, "flights", &["--noise", "none", "--excitation", "multistep"]);
     let [aileron, rudder] = ["aileron", "rudder"]
         .map(|name| folder.path(&format!("flights/{name}.csv")).to_str().unwrap().to_owned());
-    let ran = transmode(&["identify", &aileron, &rudder, "--method", "as-printed", "--json", "-"]);
-    // Before there was a choice of methods the printed one was the only one.
-    let ran = if ran.exit == Exit::BadInput {
-        transmode(&["identify", &aileron, &rudder, "--json", "-"])
-    } else {
-        ran
-    };
+    let words = ["identify", &aileron, &rudder, "--method", "as-printed", "--json", "-"];
+    let ran = transmode(&words);
     assert_eq!(ran.exit, Exit::Fine, "{}{}", ran.out, ran.err);
     let found: Value = serde_json::from_str(&ran.out).unwrap();
     let truth = truth(&folder, "flights");

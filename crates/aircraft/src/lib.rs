@@ -8,6 +8,7 @@
 //! | [`LateralModel`] | checked numbers to `A`, `B` and a [`lti::StateSpace`] |
 //! | [`catalog`] | aircraft with their sources |
 //! | [`name_system_modes`], [`name_modes`], [`name_eigenvalues`] | roll subsidence, spiral, Dutch roll and what becomes of them |
+//! | [`level`] | how good the modes are to fly, after MIL-F-8785C |
 //!
 //! Conventions: states are sideslip, roll rate, yaw rate and bank angle, in that order; angles in radians, time in seconds,
 //! lengths in feet. The crate knows nothing of how a model was found.
@@ -34,6 +35,7 @@ mod assignment;
 pub mod catalog;
 mod derivatives;
 mod error;
+mod flying_qualities;
 mod lateral;
 mod mode_name;
 mod naming;
@@ -41,6 +43,9 @@ mod shape;
 
 pub use derivatives::{Inertia, LateralDerivatives};
 pub use error::AircraftError;
+pub use flying_qualities::{
+    AircraftClass, FlightPhaseCategory, FlyingQualityLevel, UnknownWord, level,
+};
 pub use lateral::{LateralModel, LateralState, SideForceScaling, Surface};
 pub use mode_name::{ModeName, WhyUnnamed};
 pub use naming::{Eigenpair, Evidence, NamedMode, name_eigenvalues, name_modes, name_system_modes};

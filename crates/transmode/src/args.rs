@@ -2,17 +2,20 @@
 
 mod files;
 mod fit;
+mod given;
+mod identify;
 mod inspect;
 mod monitor;
 mod pages;
 mod simulate;
-
-use std::path::PathBuf;
+pub(crate) mod values;
 
 use clap::{Parser, Subcommand};
 
 pub(crate) use files::FileArgs;
 pub(crate) use fit::FitArgs;
+pub(crate) use given::Given;
+pub(crate) use identify::IdentifyArgs;
 pub(crate) use inspect::InspectArgs;
 pub(crate) use monitor::MonitorArgs;
 pub(crate) use pages::{CompletionsArgs, ManArgs};
@@ -38,7 +41,7 @@ impl Command {
     /// Whether the result goes to files, so that standard output only repeats it.
     pub(crate) fn writes_files(&self) -> bool {
         let json = match self {
-            Self::Identify(args) => &args.json,
+            Self::Identify(given) => &given.args.json,
             Self::Fit(args) => &args.json,
             Self::Inspect(args) => &args.json,
             Self::Monitor(args) => &args.json,
@@ -54,7 +57,7 @@ Exit codes: 0 all is well; 1 there is a result, but it cannot be trusted, and th
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    Identify(IdentifyArgs),
+    Identify(Box<Given<IdentifyArgs>>),
     Fit(FitArgs),
     Inspect(InspectArgs),
     Simulate(SimulateArgs),
@@ -62,45 +65,3 @@ pub(crate) enum Command {
     Completions(CompletionsArgs),
     Man(ManArgs),
 }
-
-/// Names the modes of a system from two or more records of its sensors.
-///
-/// Each file is one record, or each window of a file: a column of time and one column for each sensor, at least three; first the pseudo input,
-/// then the pseudo outputs. Each record needs an excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it.
-#[derive(Debug, clap::Args)]
-#[command(after_help = IDENTIFY_HELP)]
-pub(crate) struct IdentifyArgs {
-    #[command(flatten)]
-    pub(crate) files: FileArgs,
-
-    /// Poles kept in the IIR factor of the composite model, l.
-    #[arg(long, default_value_t = 4, value_name = "L", value_parser = order, allow_negative_numbers = true)]
-    pub(crate) iir: usize,
-
-    /// Causal length of the FIR factor in samples, r.
-    #[arg(long, default_value_t = 25, value_name = "R", value_parser = order, allow_negative_numbers = true)]
-    pub(crate) causal: usize,
-
-    /// Anticausal length of the FIR factor in samples, d.
-    #[arg(long, default_value_t = 25, value_name = "D", value_parser = order, allow_negative_numbers = true)]
-    pub(crate) anticausal: usize,
-
-    /// Write the result as JSON to this file, or to standard output in place of the table with -.
-    #[arg(long, value_name = "FILE|-")]
-    pub(crate) json: Option<PathBuf>,
-}
-
-/// An order of the composite model.
-fn order(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(0) => Err("an order must be at least 1".to_owned()),
-        Ok(order) => Ok(order),
-        Err(_) => Err("an order is a whole number, at least 1".to_owned()),
-    }
-}
-
-const IDENTIFY_HELP: &str = "\
-Examples:
-  transmode identify aileron.csv rudder.csv --outputs beta,p,r
-  transmode identify aileron.csv rudder.csv --time clock --json modes.json
-  transmode identify --window flight.mat:10:40 --window flight.mat:60:90 --outputs beta,p,r";

@@ -1,5 +1,6 @@
 //! What can be wrong with the command line and with files, in full sentences.
 
+mod option;
 mod selection;
 mod table;
 mod time;
@@ -7,6 +8,7 @@ mod time;
 use std::path::PathBuf;
 
 pub use crate::simulate::SimulateError;
+pub use option::OptionError;
 pub use selection::SelectionError;
 pub use table::TableError;
 pub use time::{Others, TimeError};
@@ -99,6 +101,9 @@ pub enum CommandError {
     /// Something asked for that is not there.
     #[error(transparent)]
     Selection(#[from] SelectionError),
+    /// An option that does not fit the records or the other options.
+    #[error(transparent)]
+    Option(#[from] OptionError),
     /// A file whose columns make no record.
     #[error("{}: {message}", file.display())]
     InFile {

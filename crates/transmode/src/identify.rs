@@ -1,49 +1,65 @@
 //! `transmode identify`: records -> modes, on the terminal and as JSON.
 
+mod config;
+mod input;
 mod json;
+mod options;
+mod outcome;
+mod refusal;
 mod text;
 
 use std::io::Write;
 use std::path::Path;
 
-use cfi_ident::{ConstantTerm, Orders, Structure};
-use reconstruct::{AsPrintedOptions, as_printed};
+use reconstruct::reconstruct;
 
-use crate::args::IdentifyArgs;
-use crate::records::{self, Loaded, Progress};
+use crate::args::{Given, IdentifyArgs};
+use crate::records::Progress;
 use crate::{CommandError, Exit, modes, output};
+use input::Input;
+use outcome::{Flight, Outcome};
 
 /// Reads the records, reconstructs the modes and writes them.
 pub(crate) fn run(
-    args: &IdentifyArgs,
+    given: &Given<IdentifyArgs>,
     progress: Progress,
     out: &mut dyn Write,
 ) -> Result<Exit, CommandError> {
+    let args = config::complete(given)?;
+    options::check_method(&args)?;
     if let Some(file) = &args.json {
-        output::check_place(file, &args.files.paths())?;
+        let mut files = args.files.paths();
+        files.extend(args.noise_record.iter().map(|file| file.path().as_path()));
+        files.extend(args.config.as_deref());
+        output::check_place(file, &files)?;
     }
-    let Loaded { records, warnings, .. } =
-        records::load(&args.files.files, &args.files.options(), progress)?;
-
-    let fault = |message: String| CommandError::Reconstruct(message);
-    let orders = Orders::new(args.iir, args.causal, args.anticausal)
-        .map_err(|error| fault(error.to_string()))?;
-    let mut options = AsPrintedOptions::default();
-    options.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
-    let result = as_printed(&records, &options).map_err(|error| fault(error.to_string()))?;
+    let Input { records, sources, known_inputs, noise, warnings } = input::read(&args, progress)?;
+    let noise_name = noise.as_ref().map(|record| record.name().to_owned());
+    let options = options::options(&args, &records, noise, known_inputs)?;
+    let mut result = reconstruct(&records, &options)
+        .map_err(|error| refusal::sentence(&error, noise_name.as_deref()))?;
+    result.doubts.retain(|doubt| !outcome::is_of_one_excitation(doubt, &records, &sources));
     let found = modes::name(&result, &records[0])?;
+    let flight = args.aircraft_class.zip(args.flight_phase);
+    let flight = flight.map(|(class, phase)| Flight { class, phase });
+    let outcome = Outcome {
+        method: args.method(),
+        records: &records,
+        sources: &sources,
+        result: &result,
+        found: &found,
+        band: options.band,
+        flight,
+        warnings: &warnings,
+    };
 
     // The file first: if it cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
     if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&records, &result, &found, &warnings)?, out)?;
+        output::write_whole(file, &json::render(&outcome)?, out)?;
     }
     if args.json.as_deref() != Some(standard_output) {
-        output::write_whole(
-            standard_output,
-            text::render(&records, &result, &found, &warnings).as_bytes(),
-            out,
-        )?;
+        output::write_whole(standard_output, text::render(&outcome).as_bytes(), out)?;
     }
     Ok(if result.doubts.is_empty() { Exit::Fine } else { Exit::Doubtful })
 }

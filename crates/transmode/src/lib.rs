@@ -5,6 +5,7 @@
 
 mod args;
 mod colors;
+mod doubts;
 mod error;
 mod fit;
 mod identify;
@@ -24,7 +25,7 @@ use clap::Parser;
 use colors::Colors;
 use records::Progress;
 
-pub use error::{CommandError, Others, SelectionError, SimulateError, TableError, TimeError};
+pub use error::{CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.

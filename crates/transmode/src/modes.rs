@@ -1,9 +1,8 @@
 //! Eigenvalues and their shapes in the sensors -> modes with names.
 
 use aircraft::{Eigenpair, ModeShape, NamedMode, name_modes};
-use lti::Mode;
 use num_complex::Complex;
-use reconstruct::{AsPrinted, Record};
+use reconstruct::{FoundMode, Reconstruction, Record};
 
 use crate::CommandError;
 
@@ -11,42 +10,76 @@ use crate::CommandError;
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub(crate) named: NamedMode,
-    pub(crate) mode: Mode,
-    /// The shared zero that it comes from.
-    pub(crate) zero: Complex<f64>,
-    /// Largest distance between the differences' versions of that zero.
-    pub(crate) spread: f64,
+    /// Eigenvalues, frequency, damping, and how certain they are where the method says it.
+    pub(crate) mode: FoundMode,
+    /// The mode's share in each channel, the largest of them 1; empty where nothing tells it.
+    pub(crate) shape: Vec<Complex<f64>>,
+    /// Largest distance in z between the versions that the differences of transmissibilities have of it; from the printed method alone.
+    pub(crate) spread: Option<f64>,
 }
 
 /// Names the modes: by their shapes where the channels are called beta, p and r, otherwise by the pattern of the eigenvalues.
 ///
 /// Complex pairs come once; the fastest mode comes first.
-pub(crate) fn name(result: &AsPrinted, record: &Record) -> Result<Vec<Found>, CommandError> {
-    let fault = |message: String| CommandError::Reconstruct(message);
-    let upper = || result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0);
-    let pairs: Vec<Eigenpair> = upper()
-        .map(|mode| Eigenpair {
-            eigenvalue: mode.eigenvalue,
-            shape: lateral_shape(&mode.shape, record),
+pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found>, CommandError> {
+    let shapes: Vec<_> = result.modes.iter().map(|mode| shape(result, mode)).collect();
+    let pair = |(mode, shape): (&FoundMode, &Vec<Complex<f64>>)| Eigenpair {
+        eigenvalue: mode.mode.eigenvalue,
+        shape: lateral_shape(shape, record),
+    };
+    let pairs: Vec<Eigenpair> = result.modes.iter().zip(&shapes).map(pair).collect();
+    let named = name_modes(&pairs).map_err(|error| CommandError::Reconstruct(error.to_string()))?;
+    let mut found: Vec<Found> = named
+        .into_iter()
+        .zip(&result.modes)
+        .zip(shapes)
+        .map(|((named, mode), shape)| Found {
+            named,
+            spread: spread(result, mode),
+            mode: mode.clone(),
+            shape: scaled(shape),
         })
         .collect();
-    let named = name_modes(&pairs).map_err(|error| fault(error.to_string()))?;
-    let mut found = named
-        .into_iter()
-        .zip(upper())
-        .map(|(named, mode)| {
-            let zero = &result.shared.zeros[mode.shared];
-            Ok(Found {
-                named,
-                mode: Mode::from_eigenvalue(mode.eigenvalue)
-                    .map_err(|error| fault(error.to_string()))?,
-                zero: zero.value,
-                spread: zero.spread,
-            })
-        })
-        .collect::<Result<Vec<_>, CommandError>>()?;
-    found.sort_by(|a, b| b.mode.natural_frequency_rad_s.total_cmp(&a.mode.natural_frequency_rad_s));
+    let frequency = |found: &Found| found.mode.mode.natural_frequency_rad_s;
+    found.sort_by(|a, b| frequency(b).total_cmp(&frequency(a)));
     Ok(found)
+}
+
+/// C v with the eigenvector v of A, or what the printed method says of its own mode.
+fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
+    if let (Some(model), Some(vector)) = (&result.model, &mode.mode.eigenvector) {
+        let reading = |row: usize| {
+            let entries = model.c.row(row);
+            entries.iter().zip(vector.iter()).map(|(entry, part)| part * *entry).sum()
+        };
+        return (0..model.c.nrows()).map(reading).collect();
+    }
+    let printed = result.printed.as_ref();
+    let own = printed.and_then(|printed| {
+        let distance = |z: Complex<f64>| mode.mode.discrete_eigenvalue.map(|own| (own - z).norm());
+        printed.modes.iter().min_by(|a, b| {
+            let key = |shared: usize| distance(printed.shared.zeros[shared].value);
+            key(a.shared).unwrap_or(0.0).total_cmp(&key(b.shared).unwrap_or(0.0))
+        })
+    });
+    own.map_or_else(Vec::new, |own| own.shape.clone())
+}
+
+/// The shape with its largest part 1.
+fn scaled(mut shape: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    let largest = shape.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    if let Some(largest) = largest.filter(|largest| largest.norm() > 0.0) {
+        shape.iter_mut().for_each(|part| *part /= largest);
+    }
+    shape
+}
+
+/// The spread of the shared zero that the mode comes from.
+fn spread(result: &Reconstruction, mode: &FoundMode) -> Option<f64> {
+    let z = mode.mode.discrete_eigenvalue?;
+    let zeros = &result.printed.as_ref()?.shared.zeros;
+    let closest = zeros.iter().min_by(|a, b| (a.value - z).norm().total_cmp(&(b.value - z).norm()));
+    closest.map(|zero| zero.spread)
 }
 
 fn lateral_shape(shape: &[Complex<f64>], record: &Record) -> Option<ModeShape> {

@@ -58,7 +58,7 @@ pub(crate) fn run(
     let mut warnings = healthy.warnings.clone();
     let reference = reference::calibrate(args, healthy, &models)?;
 
-    let Loaded { records, sources, warnings: more } =
+    let Loaded { records, sources, warnings: more, .. } =
         records::load(&args.files.files, &options, progress)?;
     warnings.extend(more);
     let mut watched = Vec::new();

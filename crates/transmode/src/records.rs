@@ -5,6 +5,8 @@
 //! number, splits a record: its stretches become records of their own, called `record#1`, `record#2` and so on. Stretches of fewer than
 //! [`segments::SHORTEST`] samples are left out, and a warning says so.
 //!
+//! Columns of measured inputs go the same way as the sensors, and are handed out beside the records.
+//!
 //! Numbers are converted to SI with angles in radians where the file states their unit, and are taken as they are where it does not.
 
 pub(crate) mod binary;
@@ -12,6 +14,7 @@ pub(crate) mod blocks;
 pub(crate) mod decimation;
 pub(crate) mod format;
 pub(crate) mod format_error;
+mod known_inputs;
 mod loading;
 mod mat;
 pub(crate) mod npy;
@@ -35,9 +38,10 @@ pub(crate) mod warning;
 
 use std::path::Path;
 
-pub(crate) use loading::{Loaded, load};
+pub(crate) use loading::{Loaded, Source, is_same_file, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
+pub(crate) use segments::SHORTEST;
 pub(crate) use selection::Selection;
 pub(crate) use warning::LoadWarning;
 

@@ -3,14 +3,16 @@
 use std::num::NonZero;
 use std::path::PathBuf;
 
+use clap::ValueHint;
+
 use crate::records::options::{factor, period, time_source};
 use crate::records::{LoadOptions, Selection, Window};
 
 /// Files and what of them becomes records.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct FileArgs {
     /// The records: text with a header (.csv, .tsv, .txt, also .gz), MATLAB (.mat, -v7), NumPy (.npy, .npz).
-    #[arg(required_unless_present = "window", num_args = 1.., value_name = "FILE")]
+    #[arg(num_args = 1.., value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
     /// The sensors to use, in that order [default: all columns but time].
@@ -26,12 +28,12 @@ pub(crate) struct FileArgs {
     pub(crate) sample_period: Option<f64>,
 
     /// Use only this stretch of a file, in seconds of its own time; several windows of one file are several records.
-    #[arg(long, value_name = "FILE:START:END", value_parser = Window::parse)]
+    #[arg(long, value_name = "FILE:START:END", value_parser = Window::parse, value_hint = ValueHint::FilePath)]
     pub(crate) window: Vec<Window>,
 
     /// Keep every K-th sample, behind a low-pass filter that takes about 13 of them at either end.
-    #[arg(long, value_name = "K", default_value = "1", hide_default_value = true, value_parser = factor, allow_negative_numbers = true)]
-    pub(crate) decimate: NonZero<usize>,
+    #[arg(long, value_name = "K", value_parser = factor, allow_negative_numbers = true)]
+    pub(crate) decimate: Option<NonZero<usize>>,
 }
 
 impl FileArgs {
@@ -40,7 +42,9 @@ impl FileArgs {
         let outputs = self.outputs.iter().map(|name| name.trim().to_owned()).collect();
         let time = time_source(self.time.as_deref(), self.sample_period);
         let selection = Selection { outputs, time };
-        LoadOptions { selection, windows: self.window.clone(), decimate: self.decimate }
+        let decimate = self.decimate.unwrap_or(NonZero::<usize>::MIN);
+        let windows = self.window.clone();
+        LoadOptions { selection, windows, decimate, ..LoadOptions::default() }
     }
 
     /// All files that are read.

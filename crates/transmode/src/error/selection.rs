@@ -124,4 +124,15 @@ pub enum SelectionError {
         /// Samples that the longest one has.
         longest: usize,
     },
+    /// Nothing to read.
+    #[error("no record is given; name two or more files, or stretches of files with --window")]
+    NoFile,
+    /// A measured input that cannot be one.
+    #[error("--known-input names {column:?} {why}")]
+    BadKnownInput {
+        /// The column.
+        column: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
 }

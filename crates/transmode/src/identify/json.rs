@@ -1,31 +1,57 @@
-//! The result as JSON: a stable form for other programs.
+//! The result as JSON: a stable form for other programs, which docs/identify.schema.json describes.
+
+mod printed;
 
 use num_complex::Complex;
-use reconstruct::{AsPrinted, Doubt, Identification, Record};
+use reconstruct::{Estimate, LikelihoodFit, OrderEvidence, SearchStatus};
 use serde::Serialize;
 
-use crate::CommandError;
+use super::outcome::Outcome;
 use crate::modes::Found;
-use crate::records::LoadWarning;
+use crate::{CommandError, doubts};
+use printed::TransmissibilityOutput;
 
 #[derive(Serialize)]
 struct Output<'a> {
     schema: u32,
     method: &'static str,
     order: usize,
+    order_evidence: Option<OrderOutput>,
     sample_period_s: f64,
+    channels: Vec<&'a str>,
     records: Vec<RecordOutput<'a>>,
     modes: Vec<ModeOutput>,
-    /// Smallest spread of a group of zeros that was refused as a mode.
+    noise: Vec<NoiseOutput<'a>>,
+    noise_origin: Option<&'static str>,
+    band_rad_s: Option<[f64; 2]>,
+    goodness: GoodnessOutput,
+    search: Option<SearchOutput>,
+    /// Smallest spread of a group of zeros that the printed method refused as a mode.
     closest_refused: Option<f64>,
-    transmissibilities: Vec<TransmissibilityOutput<'a>>,
+    transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
     warnings: Vec<Warning>,
+}
+
+#[derive(Serialize)]
+struct OrderOutput {
+    asked: bool,
+    gap: f64,
+    gaps: Vec<GapOutput>,
+}
+
+#[derive(Serialize)]
+struct GapOutput {
+    order: usize,
+    gap: f64,
 }
 
 #[derive(Serialize)]
 struct RecordOutput<'a> {
     file: &'a str,
     samples: usize,
+    excitation_rank: Option<usize>,
+    /// Probability of residuals as little white by chance.
+    whiteness_p_value: Option<f64>,
 }
 
 /// A complex number.
@@ -46,28 +72,44 @@ impl From<Complex<f64>> for Number {
 struct ModeOutput {
     name: String,
     eigenvalue: Number,
-    discrete_eigenvalue: Number,
+    deviation: Option<Number>,
+    discrete_eigenvalue: Option<Number>,
     frequency_rad_s: f64,
+    frequency_interval_95_rad_s: Option<[f64; 2]>,
     damping_ratio: f64,
+    damping_ratio_interval_95: Option<[f64; 2]>,
     period_s: Option<f64>,
     time_constant_s: Option<f64>,
+    time_constant_interval_95_s: Option<[f64; 2]>,
     time_to_half_or_double_s: f64,
-    spread: f64,
+    level: Option<String>,
+    shape: Vec<Number>,
+    strength: Vec<f64>,
+    spread: Option<f64>,
 }
 
-/// How one transmissibility was identified.
 #[derive(Serialize)]
-struct TransmissibilityOutput<'a> {
-    record: &'a str,
-    input: &'a str,
-    output: &'a str,
-    rank: usize,
-    parameters: usize,
-    condition: f64,
-    relative_residual: f64,
-    realized_orders: [usize; 2],
-    zeros: Vec<Number>,
-    poles: Vec<Number>,
+struct NoiseOutput<'a> {
+    channel: &'a str,
+    /// The level: a standard deviation.
+    deviation: f64,
+    /// How uncertain the level itself is.
+    level_deviation: Option<f64>,
+    unit: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct GoodnessOutput {
+    chi2_per_dof: Option<f64>,
+    p_value: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct SearchOutput {
+    status: &'static str,
+    steps: usize,
+    evaluations: usize,
+    starts: usize,
 }
 
 #[derive(Serialize)]
@@ -77,28 +119,37 @@ struct Warning {
 }
 
 /// The JSON text, indented, with a line feed at its end.
-pub(super) fn render(
-    records: &[Record],
-    result: &AsPrinted,
-    found: &[Found],
-    warnings: &[LoadWarning],
-) -> Result<Vec<u8>, CommandError> {
-    let doubts =
-        result.doubts.iter().map(|doubt| Warning { code: code(doubt), text: doubt.to_string() });
+pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
+    let result = outcome.result;
+    let printed = result.printed.as_ref();
+    let doubts = result
+        .doubts
+        .iter()
+        .map(|doubt| Warning { code: doubts::code(doubt), text: doubt.to_string() });
+    let warnings = outcome.warnings.iter();
     let output = Output {
         schema: 1,
-        method: "as-printed",
-        order: result.modes.len(),
-        sample_period_s: result.period.seconds(),
-        records: records
-            .iter()
-            .map(|record| RecordOutput { file: record.name(), samples: record.samples() })
-            .collect(),
-        modes: found.iter().map(mode).collect(),
-        closest_refused: result.shared.closest_refused,
-        transmissibilities: result.identifications.iter().map(transmissibility).collect(),
+        method: outcome.method.word(),
+        order: result.order.as_ref().map_or_else(
+            || printed.map_or(0, |printed| printed.modes.len()),
+            |evidence| evidence.order,
+        ),
+        order_evidence: result.order.as_ref().map(order),
+        sample_period_s: outcome.records.first().map_or(0.0, |record| record.period().seconds()),
+        channels: channels(outcome),
+        records: records(outcome),
+        modes: outcome.found.iter().map(|found| mode(outcome, found)).collect(),
+        noise: noise(outcome),
+        noise_origin: outcome.noise_origin(),
+        band_rad_s: outcome.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        goodness: GoodnessOutput {
+            chi2_per_dof: result.goodness.map(|goodness| goodness.per_degree_of_freedom()),
+            p_value: result.goodness.and_then(|goodness| goodness.p_value),
+        },
+        search: result.likelihood.as_ref().map(search),
+        closest_refused: printed.and_then(|printed| printed.shared.closest_refused),
+        transmissibilities: printed.map(printed::transmissibilities),
         warnings: warnings
-            .iter()
             .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
             .chain(doubts)
             .collect(),
@@ -109,49 +160,84 @@ pub(super) fn render(
     Ok(text)
 }
 
-fn mode(found: &Found) -> ModeOutput {
-    let mode = &found.mode;
+fn order(evidence: &OrderEvidence) -> OrderOutput {
+    let gaps = evidence.gaps.iter().map(|&(order, gap)| GapOutput { order, gap });
+    OrderOutput { asked: evidence.asked, gap: evidence.gap, gaps: gaps.collect() }
+}
+
+fn channels<'a>(outcome: &Outcome<'a>) -> Vec<&'a str> {
+    let first = outcome.records.first().map_or(&[][..], |record| record.channels());
+    first.iter().map(|channel| channel.name.as_str()).collect()
+}
+
+fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
+    let (excitations, whiteness) = (&outcome.result.excitations, &outcome.result.whiteness);
+    let record = |(index, record): (usize, &'a reconstruct::Record)| RecordOutput {
+        file: record.name(),
+        samples: record.samples(),
+        excitation_rank: excitations.get(index).map(|excitation| excitation.rank),
+        whiteness_p_value: whiteness.get(index).map(|test| test.p_value),
+    };
+    outcome.records.iter().enumerate().map(record).collect()
+}
+
+fn mode(outcome: &Outcome<'_>, found: &Found) -> ModeOutput {
+    let (mode, estimate) = (&found.mode.mode, found.mode.estimate.as_ref());
+    let interval = |estimate: &Estimate| estimate.interval_95();
     ModeOutput {
         name: found.named.name.to_string(),
         eigenvalue: mode.eigenvalue.into(),
-        discrete_eigenvalue: found.zero.into(),
+        deviation: estimate.map(|estimate| Number {
+            re: estimate.continuous.real_deviation(),
+            im: estimate.continuous.imaginary_deviation(),
+        }),
+        discrete_eigenvalue: mode.discrete_eigenvalue.map(Number::from),
         frequency_rad_s: mode.natural_frequency_rad_s,
+        frequency_interval_95_rad_s: estimate
+            .map(|estimate| interval(&estimate.natural_frequency_rad_s)),
         damping_ratio: mode.damping_ratio,
+        damping_ratio_interval_95: estimate.map(|estimate| interval(&estimate.damping_ratio)),
         period_s: mode.period_s,
         time_constant_s: mode.time_constant_s,
+        time_constant_interval_95_s: estimate
+            .filter(|_| mode.time_constant_s.is_some())
+            .and_then(|estimate| estimate.time_constant_interval_95),
         time_to_half_or_double_s: mode.time_to_half_or_double_s,
+        level: outcome.level(found).map(|level| level.to_string()),
+        shape: found.shape.iter().map(|&part| part.into()).collect(),
+        strength: found.mode.strength.clone(),
         spread: found.spread,
     }
 }
 
-fn transmissibility(identified: &Identification) -> TransmissibilityOutput<'_> {
-    let fit = &identified.fit;
-    let numbers = |values: &[Complex<f64>]| values.iter().map(|&value| value.into()).collect();
-    TransmissibilityOutput {
-        record: &identified.record,
-        input: &identified.input,
-        output: &identified.output,
-        rank: fit.rank,
-        parameters: fit.model.structure().parameter_count(),
-        condition: fit.condition,
-        relative_residual: fit.relative_residual,
-        realized_orders: [
-            identified.realization.causal.order,
-            identified.realization.anticausal.order,
-        ],
-        zeros: numbers(&identified.zeros),
-        poles: numbers(&identified.poles),
-    }
+fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
+    let estimated = outcome.noise_origin() == Some("estimated");
+    let likelihood = outcome.result.likelihood.is_some();
+    let Some(first) = outcome.records.first() else { return Vec::new() };
+    let levels = outcome.result.noise_levels.iter().flatten();
+    first
+        .channels()
+        .iter()
+        .zip(levels)
+        .enumerate()
+        .map(|(index, (channel, level))| NoiseOutput {
+            channel: &channel.name,
+            deviation: level.value,
+            level_deviation: (estimated && likelihood).then_some(level.deviation),
+            unit: outcome.unit(index),
+        })
+        .collect()
 }
 
-fn code(doubt: &Doubt) -> &'static str {
-    match doubt {
-        Doubt::NoSharedZero => "no-shared-zero",
-        Doubt::Noise { .. } => "noise",
-        Doubt::NothingAboveNoise { .. } => "nothing-above-noise",
-        Doubt::RankDeficient { .. } => "rank-deficient",
-        Doubt::IllConditioned { .. } => "ill-conditioned",
-        Doubt::Spread { .. } => "spread",
-        _ => "other",
+fn search(fit: &LikelihoodFit) -> SearchOutput {
+    SearchOutput {
+        status: match fit.search.status {
+            SearchStatus::Converged => "converged",
+            SearchStatus::AtRoundingLevel => "at-rounding-level",
+            _ => "not-converged",
+        },
+        steps: fit.search.steps,
+        evaluations: fit.search.evaluations,
+        starts: fit.starts.len(),
     }
 }

@@ -1,112 +1,138 @@
 //! The result as a table for the terminal.
 
+mod evidence;
+mod printed;
+
 use std::fmt::Write;
 
 use comfy_table::{CellAlignment, Table, presets};
-use reconstruct::{AsPrinted, Record};
+use reconstruct::Estimate;
 use report::{format_conjugate_pair, format_significant};
 
+use super::outcome::Outcome;
+use crate::args::values::MethodName;
 use crate::modes::Found;
-use crate::records::LoadWarning;
 
 /// The modes, how they were found, and every reason not to trust them.
-pub(super) fn render(
-    records: &[Record],
-    result: &AsPrinted,
-    found: &[Found],
-    warnings: &[LoadWarning],
-) -> String {
+pub(super) fn render(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
-    let names: Vec<_> = records[0].channels().iter().map(|channel| channel.name.as_str()).collect();
-    let (input, outputs) =
-        names.split_first().map_or(("", &names[..]), |(input, outputs)| (*input, outputs));
-    let _ = writeln!(
-        text,
-        "method: as printed, transmissibilities from {input} to {}",
-        outputs.join(", ")
-    );
-    for record in records {
+    let _ = writeln!(text, "method: {}", method(outcome));
+    for (index, record) in outcome.records.iter().enumerate() {
+        let rank = outcome.result.excitations.get(index).map(|found| found.rank);
+        let excitations = match rank {
+            None | Some(1) => String::new(),
+            Some(0) => ", no excitation".to_owned(),
+            Some(count) => format!(", at least {count} excitations"),
+        };
         let _ = writeln!(
             text,
-            "record: {}, {} samples, every {} s",
+            "record: {}, {} samples, every {} s{excitations}",
             record.name(),
             record.samples(),
             record.period().seconds()
         );
     }
-    if !found.is_empty() {
-        let _ = writeln!(text, "\n{}", table(found));
+    if !outcome.found.is_empty() {
+        let _ = writeln!(text, "\n{}", table(outcome));
     }
-    let worst =
-        result.identifications.iter().map(|found| found.fit.relative_residual).fold(0.0, f64::max);
-    let _ = writeln!(text, "\n{}", summary(result, worst));
-    for warning in warnings {
+    let summary = match &outcome.result.printed {
+        Some(printed) => printed::summary(printed),
+        None => evidence::summary(outcome),
+    };
+    let _ = writeln!(text, "\n{summary}");
+    for warning in outcome.warnings {
         let _ = writeln!(text, "warning: {warning}");
     }
-    for doubt in &result.doubts {
+    for doubt in &outcome.result.doubts {
         let _ = writeln!(text, "warning: {doubt}");
     }
     text
 }
 
-/// What the modes rest on, in a line or two.
-fn summary(result: &AsPrinted, worst_residual: f64) -> String {
-    let fits = || result.identifications.iter().map(|found| &found.fit);
-    let rank = fits().map(|fit| fit.rank).min().unwrap_or(0);
-    let parameters = fits().map(|fit| fit.model.structure().parameter_count()).max().unwrap_or(0);
-    let condition = fits().map(|fit| fit.condition).fold(0.0, f64::max);
-    let mut text = format!(
-        "fits: rank {rank} of {parameters}, condition number up to {}, relative residual up to {}\n\
-         zeros: {} shared by {} differences",
-        format_significant(condition, 2),
-        format_significant(worst_residual, 2),
-        result.shared.zeros.len(),
-        result.differences.len(),
-    );
-    if !result.shared.zeros.is_empty() {
-        text +=
-            &format!(", largest spread {}", format_significant(result.shared.largest_spread(), 2));
+fn method(outcome: &Outcome<'_>) -> String {
+    let channels = outcome.records.first().map_or(&[][..], |record| record.channels());
+    let names: Vec<_> = channels.iter().map(|channel| channel.name.as_str()).collect();
+    match (outcome.method, &names[..]) {
+        (MethodName::AsPrinted, [input, outputs @ ..]) => {
+            format!("as printed, transmissibilities from {input} to {}", outputs.join(", "))
+        }
+        (MethodName::Subspace, _) => {
+            format!("intersection of signal subspaces of {}", names.join(", "))
+        }
+        _ => format!("maximum likelihood from {}", names.join(", ")),
     }
-    if let Some(refused) = result.shared.closest_refused {
-        text += &format!(", smallest spread refused {}", format_significant(refused, 2));
-    }
-    for zero in result.blind.iter().filter(|zero| zero.im >= 0.0) {
-        let place = format_conjugate_pair(zero.re, zero.im, 6);
-        text += &format!(
-            "\nz = {place} is no mode: there the pseudo input reads nothing in any record"
-        );
-    }
-    text
 }
 
-fn table(found: &[Found]) -> Table {
-    const HEADER: [&str; 7] = [
-        "mode",
-        "eigenvalue [1/s]",
-        "frequency [rad/s]",
-        "damping ratio",
-        "time constant [s]",
-        "time to half or double [s]",
-        "spread in z",
+/// One line for each mode; columns that the method or the command line does not fill are left out.
+fn table(outcome: &Outcome<'_>) -> Table {
+    let estimated = outcome.result.likelihood.is_some();
+    let printed = outcome.result.printed.is_some();
+    let levels = outcome.flight.is_some();
+    let columns = [
+        ("mode", true),
+        ("eigenvalue [1/s]", true),
+        ("deviation [1/s]", estimated),
+        ("frequency [rad/s]", true),
+        ("damping ratio", true),
+        ("time constant [s]", true),
+        ("time to half or double [s]", true),
+        ("spread in z", printed),
+        ("level", levels),
     ];
+    let shown = |cells: Vec<String>| -> Vec<String> {
+        cells
+            .into_iter()
+            .zip(columns)
+            .filter(|(_, (_, is_shown))| *is_shown)
+            .map(|(cell, _)| cell)
+            .collect()
+    };
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(HEADER);
-    for found in found {
-        let mode = &found.mode;
-        let number = |value: f64| format_significant(value, 5);
-        let doubles = if mode.eigenvalue.re > 0.0 { "doubles in " } else { "" };
-        table.add_row([
-            found.named.name.to_string(),
-            format_conjugate_pair(mode.eigenvalue.re, mode.eigenvalue.im, 6),
-            number(mode.natural_frequency_rad_s),
-            number(mode.damping_ratio),
-            mode.time_constant_s.map_or_else(|| "-".to_owned(), number),
-            format!("{doubles}{}", number(mode.time_to_half_or_double_s)),
-            format_significant(found.spread, 2),
-        ]);
+    let header = columns.iter().map(|(name, _)| (*name).to_owned()).collect();
+    table.load_style(presets::NOTHING).set_header(shown(header));
+    for found in outcome.found {
+        table.add_row(shown(row(outcome, found)));
     }
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
     table
+}
+
+fn row(outcome: &Outcome<'_>, found: &Found) -> Vec<String> {
+    let (mode, estimate) = (&found.mode.mode, found.mode.estimate.as_ref());
+    let dash = || "-".to_owned();
+    let number = |value: f64| format_significant(value, 5);
+    let with = |value: f64, estimate: Option<Estimate>| match estimate {
+        Some(estimate) => {
+            format!("{} +- {}", number(value), format_significant(estimate.deviation, 2))
+        }
+        None => number(value),
+    };
+    let doubles = if mode.eigenvalue.re > 0.0 { "doubles in " } else { "" };
+    // A real mode has a damping ratio of 1 or -1, whatever the noise.
+    let damping = estimate.map(|estimate| estimate.damping_ratio);
+    let damping = damping.filter(|_| mode.eigenvalue.im > 0.0);
+    vec![
+        found.named.name.to_string(),
+        format_conjugate_pair(mode.eigenvalue.re, mode.eigenvalue.im, 6),
+        estimate.map_or_else(dash, |estimate| {
+            let re = format_significant(estimate.continuous.real_deviation(), 2);
+            if mode.eigenvalue.im > 0.0 {
+                let im = format_significant(estimate.continuous.imaginary_deviation(), 2);
+                format!("{re}, j{im}")
+            } else {
+                re
+            }
+        }),
+        with(
+            mode.natural_frequency_rad_s,
+            estimate.map(|estimate| estimate.natural_frequency_rad_s),
+        ),
+        with(mode.damping_ratio, damping),
+        mode.time_constant_s.map_or_else(dash, number),
+        format!("{doubles}{}", number(mode.time_to_half_or_double_s)),
+        found.spread.map_or_else(dash, |spread| format_significant(spread, 2)),
+        outcome.level(found).map_or_else(dash, |level| level.to_string()),
+    ]
 }

@@ -9,6 +9,7 @@ use reconstruct::{Channel, Record};
 use super::decimation::{self, Decimator};
 use super::format::Format;
 use super::in_file;
+use super::known_inputs;
 use super::options::{LoadOptions, Window};
 use super::progress::Progress;
 use super::segments::{SHORTEST, segments};
@@ -26,6 +27,8 @@ pub(crate) struct Loaded {
     pub(crate) records: Vec<Record>,
     /// One for each record.
     pub(crate) sources: Vec<Source>,
+    /// For each record the measured inputs, in the order in which they were asked for.
+    pub(crate) known_inputs: Vec<Vec<Vec<f64>>>,
     pub(crate) warnings: Vec<LoadWarning>,
 }
 
@@ -38,6 +41,8 @@ pub(crate) struct Source {
     pub(crate) span_s: [f64; 2],
     /// The unit of each channel after conversion, where the file states one.
     pub(crate) units: Vec<Option<&'static str>>,
+    /// Index of the file, or of the window of one, among all of them: the stretches between the gaps of one have it in common.
+    pub(crate) whole: usize,
 }
 
 /// Reads the records in `files`, and those in windows of files that are not among them.
@@ -51,8 +56,17 @@ pub(crate) fn load(
     progress: Progress,
 ) -> Result<Loaded, CommandError> {
     options.selection.check()?;
+    known_inputs::check(options)?;
     let files = with_windows(files, &options.windows)?;
-    let mut loaded = Loaded { records: Vec::new(), sources: Vec::new(), warnings: Vec::new() };
+    if files.is_empty() {
+        return Err(SelectionError::NoFile.into());
+    }
+    let mut loaded = Loaded {
+        records: Vec::new(),
+        sources: Vec::new(),
+        known_inputs: Vec::new(),
+        warnings: Vec::new(),
+    };
     for (file, windows) in &files {
         read(file, windows, options, progress, &mut loaded)?;
     }
@@ -66,13 +80,13 @@ fn with_windows<'a>(
 ) -> Result<Vec<(&'a Path, Vec<&'a Window>)>, CommandError> {
     let mut found: Vec<(&Path, Vec<&Window>)> = Vec::new();
     for file in files {
-        if found.iter().any(|(other, _)| is_same(other, file)) {
+        if found.iter().any(|(other, _)| is_same_file(other, file)) {
             return Err(SelectionError::SameFile { file: file.clone() }.into());
         }
         found.push((file, Vec::new()));
     }
     for window in windows {
-        match found.iter_mut().find(|(file, _)| is_same(file, &window.file)) {
+        match found.iter_mut().find(|(file, _)| is_same_file(file, &window.file)) {
             Some((_, windows)) => windows.push(window),
             None => found.push((&window.file, vec![window])),
         }
@@ -80,15 +94,18 @@ fn with_windows<'a>(
     Ok(found)
 }
 
-fn is_same(a: &Path, b: &Path) -> bool {
+/// Whether two paths lead to one file.
+pub(crate) fn is_same_file(a: &Path, b: &Path) -> bool {
     a == b || a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
 /// A file in memory: its sensors in SI, and their times.
 struct Recording<'a> {
     file: &'a Path,
+    /// The sensors, then the measured inputs.
     table: Table,
     times: Times,
+    /// Of the sensors.
     units: Vec<Option<&'static str>>,
 }
 
@@ -130,7 +147,8 @@ fn recording<'a>(
 ) -> Result<Recording<'a>, CommandError> {
     let mut selected: Option<Selected> = None;
     let mut choose = |format: Format, headings: &[_]| {
-        let found = options.selection.select(file, format, headings)?;
+        let mut found = options.selection.select(file, format, headings)?;
+        known_inputs::select(file, headings, options, &mut found)?;
         // Time comes last.
         let chosen = found.sensors.iter().chain(&found.time).map(|wanted| wanted.index).collect();
         selected = Some(found);
@@ -143,7 +161,8 @@ fn recording<'a>(
     for (values, sensor) in table.values.iter_mut().zip(&sensors) {
         scale(values, sensor.factor);
     }
-    let units = sensors.iter().map(|sensor| sensor.si).collect();
+    let sensor_count = sensors.len() - options.known_inputs.len();
+    let units = sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
     Ok(Recording { file, table, times, units })
 }
 
@@ -164,9 +183,10 @@ impl Recording<'_> {
             stretches = self.long_enough(&name, stretches, &mut loaded.warnings)?;
         }
         let is_one = stretches.len() == 1;
+        let whole = loaded.sources.last().map_or(0, |last| last.whole + 1);
         for (index, stretch) in stretches.into_iter().enumerate() {
             let name = if is_one { name.clone() } else { format!("{name}#{}", index + 1) };
-            self.record(name, stretch, even.period_s, options, loaded)?;
+            self.record((name, whole), stretch, even.period_s, options, loaded)?;
         }
         Ok(())
     }
@@ -199,7 +219,7 @@ impl Recording<'_> {
 
     fn record(
         &mut self,
-        name: String,
+        (name, whole): (String, usize),
         stretch: Range<usize>,
         period_s: f64,
         options: &LoadOptions,
@@ -229,6 +249,7 @@ impl Recording<'_> {
             };
             channels.push(Channel::new(self.table.heading(index).name.clone(), values));
         }
+        let known = channels.split_off(self.units.len());
         #[expect(
             clippy::cast_precision_loss,
             reason = "a factor that fits a record is far below 2^53"
@@ -240,11 +261,13 @@ impl Recording<'_> {
         let first = stretch.start + margin;
         let last = first + (record.samples().saturating_sub(1)) * factor.get();
         loaded.records.push(record);
+        loaded.known_inputs.push(known.into_iter().map(|channel| channel.values).collect());
         loaded.sources.push(Source {
             file: self.file.to_owned(),
             format: self.table.format,
             span_s: [self.times.at(first), self.times.at(last)],
             units: self.units.clone(),
+            whole,
         });
         Ok(())
     }

@@ -13,6 +13,8 @@ pub(crate) struct LoadOptions {
     pub(crate) windows: Vec<Window>,
     /// Every how many samples one is kept, behind a low-pass filter; 1 keeps all and filters nothing.
     pub(crate) decimate: NonZero<usize>,
+    /// Columns that hold measured inputs, beside the sensors.
+    pub(crate) known_inputs: Vec<String>,
 }
 
 impl Default for LoadOptions {
@@ -22,6 +24,7 @@ impl Default for LoadOptions {
             selection: Selection::default(),
             windows: Vec::new(),
             decimate: NonZero::<usize>::MIN,
+            known_inputs: Vec::new(),
         }
     }
 }

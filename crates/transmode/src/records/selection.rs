@@ -116,13 +116,12 @@ impl Selection {
             let factor = time_factor(file, &headings[index])?;
             Ok::<_, CommandError>(Wanted { index, factor, si: Some("s") })
         };
-        let sensor_unit = |index: usize| {
-            let Unit { si, factor } = unit(file, &headings[index])?;
-            Ok(Wanted { index, factor, si: headings[index].unit.as_ref().map(|_| si) })
-        };
         Ok(Selected {
             time: time.map(time_unit).transpose()?,
-            sensors: sensors.into_iter().map(sensor_unit).collect::<Result<_, CommandError>>()?,
+            sensors: sensors
+                .into_iter()
+                .map(|index| wanted(file, headings, index))
+                .collect::<Result<_, _>>()?,
         })
     }
 
@@ -196,6 +195,16 @@ pub(crate) fn position(
         let (file, column, available) = (file.to_owned(), name.to_owned(), listed(headings));
         SelectionError::NoSuchColumn { file, column, available }.into()
     })
+}
+
+/// A column with its unit.
+pub(super) fn wanted(
+    file: &Path,
+    headings: &[Heading],
+    index: usize,
+) -> Result<Wanted, CommandError> {
+    let Unit { si, factor } = unit(file, &headings[index])?;
+    Ok(Wanted { index, factor, si: headings[index].unit.as_ref().map(|_| si) })
 }
 
 /// The unit that a heading states; that of a bare number where it states none.

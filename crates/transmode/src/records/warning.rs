@@ -23,6 +23,15 @@ pub(crate) enum LoadWarning {
         /// Samples in them.
         samples: usize,
     },
+    /// Of the stretches between gaps the longest alone is used.
+    LongestStretch {
+        record: String,
+        samples: usize,
+        /// Samples in all stretches.
+        total: usize,
+    },
+    /// A measured input that rests at zero in a record.
+    IdleInput { record: String, column: String },
 }
 
 impl LoadWarning {
@@ -31,6 +40,8 @@ impl LoadWarning {
         match self {
             Self::Split { .. } => "gaps",
             Self::ShortStretches { .. } => "short-stretches",
+            Self::LongestStretch { .. } => "longest-stretch",
+            Self::IdleInput { .. } => "idle-input",
         }
     }
 }
@@ -42,6 +53,16 @@ impl fmt::Display for LoadWarning {
                 f,
                 "gaps split {record} into {stretches} stretches, each a record of its own; the second starts at {place}"
             ),
+            Self::LongestStretch { record, samples, total } => write!(
+                f,
+                "only the longest stretch between gaps is used: {record}, {samples} of {total} samples"
+            ),
+            Self::IdleInput { record, column } => {
+                write!(
+                    f,
+                    "the known input {column} rests at zero in {record} and is left out there"
+                )
+            }
             Self::ShortStretches { record, count, samples } => {
                 let (noun, verb) =
                     if *count == 1 { ("stretch", "was") } else { ("stretches", "were") };

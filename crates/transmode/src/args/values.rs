@@ -1,0 +1,164 @@
+//! What words of a command line mean, where they are more than a number or a name.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use crate::records::Window;
+
+/// A method of reconstruction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum MethodName {
+    /// Maximum likelihood: as accurate as the records allow, with deviations.
+    #[default]
+    Ml,
+    /// Intersection of signal subspaces: closed form, no deviations.
+    Subspace,
+    /// The printed method, for records without noise.
+    AsPrinted,
+}
+
+impl MethodName {
+    /// The word on the command line and in the JSON.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Ml => "ml",
+            Self::Subspace => "subspace",
+            Self::AsPrinted => "as-printed",
+        }
+    }
+}
+
+/// How many states there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OrderAsked {
+    /// The records show it.
+    Auto,
+    /// So many.
+    States(usize),
+}
+
+impl FromStr for OrderAsked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim() {
+            "auto" => Ok(Self::Auto),
+            number => order(number)
+                .map(Self::States)
+                .map_err(|_| "an order is a whole number, at least 1, or auto".to_owned()),
+        }
+    }
+}
+
+/// What sensors read in trim.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum OffsetsAsked {
+    Zero,
+    Free,
+    /// Zero on average, with these standard deviations.
+    Deviations(Vec<f64>),
+}
+
+impl FromStr for OffsetsAsked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim() {
+            "zero" => Ok(Self::Zero),
+            "free" => Ok(Self::Free),
+            list => list
+                .split(',')
+                .map(positive)
+                .collect::<Option<_>>()
+                .map(Self::Deviations)
+                .ok_or_else(|| {
+                    "offsets are zero, free, or positive standard deviations separated by commas"
+                        .to_owned()
+                }),
+        }
+    }
+}
+
+/// A band of frequencies in rad/s, either end open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Band {
+    pub(crate) lowest: Option<f64>,
+    pub(crate) highest: Option<f64>,
+}
+
+impl FromStr for Band {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        const FORM: &str = "a band is written LO:HI, two frequencies in rad/s, none negative";
+        let (low, high) = text.split_once(':').ok_or(FORM)?;
+        let end = |text: &str| match text.trim() {
+            "" => Ok(None),
+            text => match text.parse::<f64>() {
+                Ok(value) if value.is_finite() && value >= 0.0 => Ok(Some(value)),
+                _ => Err(FORM),
+            },
+        };
+        let (lowest, highest) = (end(low)?, end(high)?);
+        if let (Some(low), Some(high)) = (lowest, highest)
+            && high <= low
+        {
+            return Err(format!(
+                "the band is empty: it ends at {high} rad/s, which is not above its start at {low} rad/s; exchange them"
+            ));
+        }
+        Ok(Self { lowest, highest })
+    }
+}
+
+/// A file, or a stretch of one, in which nobody excited the system.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum QuietFile {
+    Whole(PathBuf),
+    Stretch(Window),
+}
+
+impl QuietFile {
+    pub(crate) fn path(&self) -> &PathBuf {
+        match self {
+            Self::Whole(file) => file,
+            Self::Stretch(window) => &window.file,
+        }
+    }
+}
+
+impl FromStr for QuietFile {
+    type Err = String;
+
+    /// A file that is there is meant as a whole, whatever colons its name holds.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let whole = PathBuf::from(text);
+        if !whole.exists()
+            && let Ok(window) = Window::parse(text)
+        {
+            return Ok(Self::Stretch(window));
+        }
+        Ok(Self::Whole(whole))
+    }
+}
+
+/// A standard deviation of noise.
+pub(crate) fn level(text: &str) -> Result<f64, String> {
+    positive(text).ok_or_else(|| "a noise level is a positive number".to_owned())
+}
+
+fn positive(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value > 0.0)
+}
+
+/// An order of a model.
+pub(crate) fn order(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(0) => Err("an order must be at least 1".to_owned()),
+        Ok(order) => Ok(order),
+        Err(_) => Err("an order is a whole number, at least 1".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

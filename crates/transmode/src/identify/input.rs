@@ -1,0 +1,212 @@
+//! Everything that is read before anything is computed: records, measured inputs, the quiet record; and what gaps make of them.
+
+use reconstruct::{ReconstructError, Record};
+
+use crate::args::IdentifyArgs;
+use crate::args::values::{MethodName, QuietFile};
+use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress, Source};
+use crate::{CommandError, OptionError};
+
+/// What the methods are given.
+#[derive(Debug)]
+pub(super) struct Input {
+    pub(super) records: Vec<Record>,
+    /// One for each record.
+    pub(super) sources: Vec<Source>,
+    /// For each record its measured inputs; empty where there are none at all.
+    pub(super) known_inputs: Vec<Vec<Vec<f64>>>,
+    pub(super) noise: Option<Record>,
+    pub(super) warnings: Vec<LoadWarning>,
+}
+
+/// Reads all files and refuses what cannot be used.
+pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, CommandError> {
+    let mut options = args.files.options();
+    options.known_inputs = args.known_input.iter().map(|name| name.trim().to_owned()).collect();
+    let loaded = records::load(&args.files.files, &options, progress)?;
+    let Loaded { records, sources, known_inputs, warnings } = loaded;
+    let mut input = Input { records, sources, known_inputs, noise: None, warnings };
+    check_number(args.method(), &input)?;
+    if args.method() == MethodName::AsPrinted {
+        keep_longest(&mut input);
+    }
+    leave_out_idle(&mut input, &options.known_inputs)?;
+    if let Some(file) = &args.noise_record {
+        let noise = quiet(file, &options, &mut input, progress)?;
+        input.noise = Some(noise);
+    }
+    Ok(input)
+}
+
+/// Refuses fewer excitations than the method needs. The stretches between the gaps of one record are taken to have one excitation.
+fn check_number(method: MethodName, input: &Input) -> Result<(), CommandError> {
+    let sensors = input.records.first().map_or(0, |record| record.channels().len());
+    check_channels(&input.records)?;
+    let found = input.sources.last().map_or(0, |last| last.whole + 1);
+    let fewest = if method == MethodName::AsPrinted { 3 } else { 2 };
+    if sensors < fewest {
+        return Err(OptionError::TooFewSensors { sensors, needed: fewest }.into());
+    }
+    // J (m - 1) > m.
+    let needed = if sensors == 2 { 3 } else { 2 };
+    if found >= needed {
+        return Ok(());
+    }
+    let split = input.sources.windows(2).zip(&input.records).find_map(|(pair, record)| {
+        (pair[0].whole == pair[1].whole).then(|| whole_name(record).to_owned())
+    });
+    Err(OptionError::TooFewRecords { found, needed, sensors, split }.into())
+}
+
+/// Refuses records of different sensors: their number alone would be misleading.
+fn check_channels(records: &[Record]) -> Result<(), CommandError> {
+    let names = |record: &Record| -> Vec<String> {
+        record.channels().iter().map(|channel| channel.name.clone()).collect()
+    };
+    let Some(first) = records.first() else { return Ok(()) };
+    let Some(second) = records.iter().find(|record| names(record) != names(first)) else {
+        return Ok(());
+    };
+    let error = ReconstructError::DifferentChannels {
+        first: first.name().to_owned(),
+        expected: names(first).join(", "),
+        second: second.name().to_owned(),
+        found: names(second).join(", "),
+    };
+    Err(CommandError::Reconstruct(format!("{error}; choose them with --outputs")))
+}
+
+/// The name of the record that gaps split.
+fn whole_name(record: &Record) -> &str {
+    record.name().rsplit_once('#').map_or(record.name(), |(whole, _)| whole)
+}
+
+/// The printed method compares records with each other, and those of one excitation are equal to it: of each record it takes the longest stretch.
+fn keep_longest(input: &mut Input) {
+    let wholes = input.sources.last().map_or(0, |last| last.whole + 1);
+    let mut kept = Vec::new();
+    for whole in 0..wholes {
+        let stretches =
+            || (0..input.records.len()).filter(|&index| input.sources[index].whole == whole);
+        // The first of equally long ones.
+        let samples = |index: &usize| input.records[*index].samples();
+        let Some(longest) = stretches().rev().max_by_key(samples) else { continue };
+        let (count, total) = (stretches().count(), stretches().map(|k| samples(&k)).sum());
+        if count > 1 {
+            input.warnings.push(LoadWarning::LongestStretch {
+                record: input.records[longest].name().to_owned(),
+                samples: samples(&longest),
+                total,
+            });
+        }
+        kept.push(longest);
+    }
+    keep(&mut input.records, &kept);
+    keep(&mut input.sources, &kept);
+    keep(&mut input.known_inputs, &kept);
+}
+
+fn keep<T>(items: &mut Vec<T>, kept: &[usize]) {
+    let mut next = 0..items.len();
+    items.retain(|_| next.next().is_some_and(|index| kept.contains(&index)));
+}
+
+/// Refuses measured inputs that are constant, but for those that rest at zero in some of the records: there they are left out.
+fn leave_out_idle(input: &mut Input, names: &[String]) -> Result<(), CommandError> {
+    if names.is_empty() {
+        input.known_inputs.clear();
+        return Ok(());
+    }
+    for (position, column) in names.iter().enumerate() {
+        let value = |signal: &[f64]| {
+            let first = signal.first().copied()?;
+            // Minus zero is zero.
+            signal.iter().all(|value| (value - first).abs() <= 0.0).then_some(first + 0.0)
+        };
+        let constants: Vec<_> =
+            input.known_inputs.iter().map(|list| value(&list[position])).collect();
+        let rests_always = constants.iter().all(Option::is_some);
+        for (constant, record) in constants.iter().zip(&input.records) {
+            match constant {
+                Some(value) if rests_always || value.abs() > 0.0 => {
+                    let (column, record) = (column.clone(), record.name().to_owned());
+                    return Err(OptionError::ConstantInput { column, record, value: *value }.into());
+                }
+                Some(_) => input.warnings.push(LoadWarning::IdleInput {
+                    record: record.name().to_owned(),
+                    column: column.clone(),
+                }),
+                None => {}
+            }
+        }
+    }
+    for list in &mut input.known_inputs {
+        list.retain(|signal| signal.iter().any(|value| value.abs() > 0.0));
+    }
+    Ok(())
+}
+
+/// Reads the quiet record with the sensors of the others.
+fn quiet(
+    file: &QuietFile,
+    options: &LoadOptions,
+    input: &mut Input,
+    progress: Progress,
+) -> Result<Record, CommandError> {
+    let mut options = LoadOptions { known_inputs: Vec::new(), ..options.clone() };
+    if let Some(record) = input.records.first() {
+        let names = record.channels().iter().map(|channel| channel.name.clone());
+        options.selection.outputs = names.collect();
+    }
+    let files = match file {
+        QuietFile::Whole(file) => {
+            options.windows.clear();
+            vec![file.clone()]
+        }
+        QuietFile::Stretch(window) => {
+            options.windows = vec![window.clone()];
+            Vec::new()
+        }
+    };
+    let Loaded { records, sources, warnings, .. } =
+        records::load(&files, &options, progress)?;
+    let (samples, total) = (
+        records.iter().map(Record::samples).max().unwrap_or(0),
+        records.iter().map(Record::samples).sum(),
+    );
+    input.warnings.extend(warnings);
+    let longest = records.iter().zip(&sources).find(|(record, _)| record.samples() == samples);
+    let Some((record, source)) = longest else {
+        return Err(CommandError::InFile {
+            file: file.path().clone(),
+            message: "it holds no samples".to_owned(),
+        });
+    };
+    if records.len() > 1 {
+        let record = record.name().to_owned();
+        input.warnings.push(LoadWarning::LongestStretch { record, samples, total });
+    }
+    check_length(record)?;
+    let overlaps = |other: &Source| {
+        records::is_same_file(&other.file, &source.file)
+            && other.span_s[0] <= source.span_s[1]
+            && source.span_s[0] <= other.span_s[1]
+    };
+    if let Some(index) = input.sources.iter().position(overlaps) {
+        let (noise, record) = (record.name().to_owned(), input.records[index].name().to_owned());
+        return Err(OptionError::NoiseOverlaps { noise, record }.into());
+    }
+    Ok(record.clone())
+}
+
+/// Refuses a quiet record that no spectrum can be had from.
+fn check_length(record: &Record) -> Result<(), CommandError> {
+    /// Equations for each unknown of the shortest autoregression.
+    const EQUATIONS: usize = 10;
+    let (found, sensors) = (record.samples(), record.channels().len());
+    let needed = records::SHORTEST.max(EQUATIONS * sensors + 1);
+    if found >= needed {
+        return Ok(());
+    }
+    Err(OptionError::NoiseTooShort { noise: record.name().to_owned(), found, needed }.into())
+}

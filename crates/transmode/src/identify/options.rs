@@ -1,0 +1,151 @@
+//! What the command line asks for, as options of the reconstruction.
+
+use std::f64::consts::PI;
+
+use cfi_ident::{ConstantTerm, Orders, Structure};
+use reconstruct::{
+    FrequencyBand, Method, NoiseModel, Offsets, Options, OrderChoice, Record, Trend,
+};
+
+use crate::args::IdentifyArgs;
+use crate::args::values::{MethodName, OffsetsAsked, OrderAsked};
+use crate::{CommandError, OptionError};
+
+/// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
+const PASSED: f64 = 0.8;
+
+/// Refuses options that the method does not know: they would be ignored without a word.
+pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
+    use MethodName::{AsPrinted, Ml, Subspace};
+    const BOTH: &[MethodName] = &[Ml, Subspace];
+    let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
+    let known: [(&'static str, bool, &[MethodName]); 12] = [
+        ("--order", args.order.is_some(), BOTH),
+        ("--offsets with deviations", deviations, &[Ml]),
+        ("--offsets", args.offsets.is_some(), BOTH),
+        ("--trend", args.trend.is_some(), &[Ml]),
+        ("--band", args.band.is_some(), &[Ml]),
+        ("--feedthrough", !args.feedthrough.is_empty(), BOTH),
+        ("--noise", !args.noise.is_empty(), BOTH),
+        ("--noise-record", args.noise_record.is_some(), BOTH),
+        ("--known-input", !args.known_input.is_empty(), BOTH),
+        ("--iir", args.iir.is_some(), &[AsPrinted]),
+        ("--causal", args.causal.is_some(), &[AsPrinted]),
+        ("--anticausal", args.anticausal.is_some(), &[AsPrinted]),
+    ];
+    let method = args.method();
+    for (option, is_given, methods) in known {
+        if is_given && !methods.contains(&method) {
+            let owner = match methods {
+                [one] => one.word(),
+                _ => "ml or subspace",
+            };
+            return Err(OptionError::OtherMethod { option, owner, method: method.word() }.into());
+        }
+    }
+    Ok(())
+}
+
+/// The options for these records, with the quiet record and the measured inputs that were read.
+pub(super) fn options(
+    args: &IdentifyArgs,
+    records: &[Record],
+    noise: Option<Record>,
+    known_inputs: Vec<Vec<Vec<f64>>>,
+) -> Result<Options, CommandError> {
+    let Some(record) = records.first() else { return Ok(Options::default()) };
+    let sensors: Vec<String> =
+        record.channels().iter().map(|channel| channel.name.clone()).collect();
+    let mut options = Options::default();
+    options.method = match args.method() {
+        MethodName::Ml => Method::MaximumLikelihood,
+        MethodName::Subspace => Method::Subspace,
+        MethodName::AsPrinted => Method::AsPrinted,
+    };
+    if let Some(OrderAsked::States(order)) = args.order {
+        options.order = OrderChoice::Fixed(order);
+    }
+    options.offsets = match &args.offsets {
+        None | Some(OffsetsAsked::Zero) => Offsets::Zero,
+        Some(OffsetsAsked::Free) => Offsets::Free,
+        Some(OffsetsAsked::Deviations(deviations)) => {
+            Offsets::PriorDeviation(match deviations[..] {
+                [one] => vec![one; sensors.len()],
+                _ => one_each("--offsets", deviations, &sensors)?,
+            })
+        }
+    };
+    if args.trend == Some(true) {
+        options.trend = Trend::Linear;
+    }
+    options.band = band(args, record)?;
+    options.feedthrough_sensors = feedthrough(args, record, &sensors)?;
+    options.noise = match noise {
+        Some(quiet) => NoiseModel::Quiet(quiet),
+        None if args.noise.is_empty() => NoiseModel::Estimated,
+        None => NoiseModel::Levels(one_each("--noise", &args.noise, &sensors)?),
+    };
+    options.known_inputs = known_inputs;
+    let length = |given: Option<usize>, default: usize| given.unwrap_or(default);
+    let orders =
+        Orders::new(length(args.iir, 4), length(args.causal, 25), length(args.anticausal, 25))
+            .map_err(|error| CommandError::Reconstruct(error.to_string()))?;
+    options.printed.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
+    Ok(options)
+}
+
+fn one_each(
+    option: &'static str,
+    numbers: &[f64],
+    sensors: &[String],
+) -> Result<Vec<f64>, CommandError> {
+    if numbers.len() == sensors.len() {
+        return Ok(numbers.to_vec());
+    }
+    Err(OptionError::Count { option, found: numbers.len(), sensors: sensors.to_vec() }.into())
+}
+
+/// The band asked for; behind a decimation what its filter passes.
+fn band(args: &IdentifyArgs, record: &Record) -> Result<Option<FrequencyBand>, CommandError> {
+    let nyquist_rad_s = PI / record.period().seconds();
+    let decimated = args.files.decimate.is_some_and(|factor| factor.get() > 1);
+    let passed = if decimated { PASSED * nyquist_rad_s } else { nyquist_rad_s };
+    let Some(band) = args.band else {
+        let all = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: passed };
+        return Ok((decimated && args.method() == MethodName::Ml).then_some(all));
+    };
+    let (lowest_rad_s, highest_rad_s) =
+        (band.lowest.unwrap_or(0.0), band.highest.unwrap_or(passed));
+    for (edge_rad_s, is_beyond) in [
+        (lowest_rad_s, lowest_rad_s >= highest_rad_s.min(nyquist_rad_s)),
+        (highest_rad_s, highest_rad_s > nyquist_rad_s * (1.0 + 1e-9)),
+    ] {
+        if is_beyond {
+            return Err(OptionError::BandTooHigh { edge_rad_s, nyquist_rad_s }.into());
+        }
+    }
+    Ok(Some(FrequencyBand { lowest_rad_s, highest_rad_s }))
+}
+
+fn feedthrough(
+    args: &IdentifyArgs,
+    record: &Record,
+    sensors: &[String],
+) -> Result<Vec<usize>, CommandError> {
+    let option = "--feedthrough";
+    let mut found = Vec::new();
+    for column in &args.feedthrough {
+        let column = column.trim().to_owned();
+        match record.position(&column) {
+            None => {
+                let sensors = sensors.to_vec();
+                return Err(OptionError::NoSensor { option, column, sensors }.into());
+            }
+            Some(index) if found.contains(&index) => {
+                return Err(OptionError::Twice { option, column }.into());
+            }
+            Some(index) => found.push(index),
+        }
+    }
+    Ok(found)
+}
