@@ -25,7 +25,9 @@ use clap::Parser;
 use colors::Colors;
 use records::Progress;
 
-pub use error::{CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError};
+pub use error::{
+    CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError,
+};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.

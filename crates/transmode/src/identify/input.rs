@@ -168,8 +168,7 @@ fn quiet(
             Vec::new()
         }
     };
-    let Loaded { records, sources, warnings, .. } =
-        records::load(&files, &options, progress)?;
+    let Loaded { records, sources, warnings, .. } = records::load(&files, &options, progress)?;
     let (samples, total) = (
         records.iter().map(Record::samples).max().unwrap_or(0),
         records.iter().map(Record::samples).sum(),
