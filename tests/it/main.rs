@@ -19,3 +19,4 @@ mod monitor;
 mod pages;
 mod program;
 mod simulate;
+mod tutorial;

@@ -11,7 +11,9 @@ fn flights() -> (Folder, [String; 3]) {
     let files = ["1", "2", "3"].map(|seed| {
         let place = folder.path(seed);
         let place = place.to_str().unwrap();
-        let words = ["--duration", "400", "--noise", "snr=30", "--seed", seed, "-o", place];
+        // The same sensors in all flights: a ratio would be to the response of each.
+        let noise = "beta=0.0003,p=0.003,r=0.001";
+        let words = ["--duration", "400", "--noise", noise, "--seed", seed, "-o", place];
         let ran = transmode(&[&["simulate", "paper", "--surface", "aileron"], &words[..]].concat());
         assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
         format!("{place}/aileron.csv")
