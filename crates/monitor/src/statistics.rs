@@ -43,12 +43,12 @@ impl Healthy {
     /// T^2 of a new observation: n/(n + 1) (x - mean)' S^-1 (x - mean).
     pub(crate) fn distance(&self, x: &DVector<f64>) -> f64 {
         let off = x - &self.mean;
-        off.dot(&self.factor.solve(&off)) / self.new()
+        off.dot(&self.factor.solve(&off)) / self.widening()
     }
 
     /// Each component off its mean, in standard deviations of that difference.
     pub(crate) fn scaled(&self, x: &DVector<f64>) -> DVector<f64> {
-        (x - &self.mean).component_div(&self.deviation) / self.new().sqrt()
+        (x - &self.mean).component_div(&self.deviation) / self.widening().sqrt()
     }
 
     /// A vector in standard deviations of the components.
@@ -57,7 +57,7 @@ impl Healthy {
     }
 
     /// Variance of a new observation off the mean of the others, over its own.
-    fn new(&self) -> f64 {
+    fn widening(&self) -> f64 {
         1.0 + 1.0 / count(self.observations)
     }
 
