@@ -40,7 +40,7 @@ impl Files {
 #[test]
 fn words_that_are_no_value() {
     let files = files();
-    let cases: [Case<'_>; 24] = [
+    let cases: [Case<'_>; 25] = [
         (&["--method", "best"], "invalid value 'best' for '--method <METHOD>'"),
         (&["--order", "0"], "an order is a whole number, at least 1, or auto"),
         (&["--order", "-3"], "an order is a whole number, at least 1, or auto"),

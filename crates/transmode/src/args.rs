@@ -5,6 +5,9 @@ mod fit;
 mod given;
 mod identify;
 mod inspect;
+mod monitor;
+mod pages;
+mod simulate;
 pub(crate) mod values;
 
 use clap::{Parser, Subcommand};
@@ -14,6 +17,9 @@ pub(crate) use fit::FitArgs;
 pub(crate) use given::Given;
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inspect::InspectArgs;
+pub(crate) use monitor::MonitorArgs;
+pub(crate) use pages::{CompletionsArgs, ManArgs};
+pub(crate) use simulate::{ExcitationKind, SimulateArgs, SurfaceChoice};
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
 #[derive(Debug, Parser)]
@@ -21,6 +27,29 @@ pub(crate) use inspect::InspectArgs;
 pub(crate) struct Args {
     #[command(subcommand)]
     pub(crate) command: Command,
+
+    /// Show no progress, and no text on standard output where the result goes to files.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+
+    /// Colours of help and of messages; with auto they are used on a terminal, unless NO_COLOR is set.
+    #[arg(long, global = true, value_enum, default_value_t = clap::ColorChoice::Auto, hide_possible_values = false, value_name = "WHEN")]
+    pub(crate) color: clap::ColorChoice,
+}
+
+impl Command {
+    /// Whether the result goes to files, so that standard output only repeats it.
+    pub(crate) fn writes_files(&self) -> bool {
+        let json = match self {
+            // A file of options may hold more, so it looks itself.
+            Self::Identify(_) | Self::Completions(_) => return false,
+            Self::Fit(args) => &args.json,
+            Self::Inspect(args) => &args.json,
+            Self::Monitor(args) => &args.json,
+            Self::Simulate(_) | Self::Man(_) => return true,
+        };
+        json.as_ref().is_some_and(|file| file.as_os_str() != "-")
+    }
 }
 
 const AFTER_HELP: &str = "\
@@ -31,4 +60,8 @@ pub(crate) enum Command {
     Identify(Box<Given<IdentifyArgs>>),
     Fit(FitArgs),
     Inspect(InspectArgs),
+    Simulate(SimulateArgs),
+    Monitor(MonitorArgs),
+    Completions(CompletionsArgs),
+    Man(ManArgs),
 }

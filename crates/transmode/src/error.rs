@@ -7,6 +7,7 @@ mod time;
 
 use std::path::PathBuf;
 
+pub use crate::simulate::SimulateError;
 pub use option::OptionError;
 pub use selection::SelectionError;
 pub use table::TableError;
@@ -31,6 +32,12 @@ pub enum CommandError {
         file: PathBuf,
         /// What the operating system says.
         source: std::io::Error,
+    },
+    /// A file that is there already.
+    #[error("{} is there already; choose another folder with --output, or replace it with --force", file.display())]
+    Exists {
+        /// The file.
+        file: PathBuf,
     },
     /// A result that would replace the record it comes from.
     #[error("{} is the record itself; write the result to another file", file.display())]
@@ -102,6 +109,9 @@ pub enum CommandError {
     /// Time stamps that give no evenly sampled record.
     #[error(transparent)]
     Time(#[from] TimeError),
+    /// A flight that cannot be simulated.
+    #[error(transparent)]
+    Simulate(#[from] SimulateError),
     /// Something asked for that is not there.
     #[error(transparent)]
     Selection(#[from] SelectionError),

@@ -17,13 +17,17 @@ use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
 
 use crate::args::FitArgs;
 use crate::records::format_error::FormatError;
-use crate::records::in_file;
+use crate::records::{Progress, in_file};
 use crate::{CommandError, Exit, output};
 use format::Format;
 use warning::warnings;
 
 /// Reads the record, fits the model and writes what was found.
-pub(crate) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+pub(crate) fn run(
+    args: &FitArgs,
+    progress: Progress,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
     let orders = Orders::new(args.iir, args.causal, args.anticausal)
         .map_err(|error| CommandError::Reconstruct(error.to_string()))?;
     let constant_term =
@@ -44,10 +48,10 @@ pub(crate) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<Exit, CommandEr
     let found = match format {
         Format::Table => {
             let time = args.time.as_deref().map(str::trim);
-            memory::fit(&args.file, [input, output], time, &structure, &options)?
+            memory::fit(&args.file, [input, output], time, &structure, &options, progress)?
         }
         _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
-        _ => stream::fit(&args.file, format, [input, output], &structure, &options)?,
+        _ => stream::fit(&args.file, format, [input, output], &structure, &options, progress)?,
     };
     let warnings = warnings(&found);
 

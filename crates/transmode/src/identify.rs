@@ -23,6 +23,7 @@ use outcome::{Flight, Outcome};
 pub(crate) fn run(
     given: &Given<IdentifyArgs>,
     typed: &str,
+    progress: Progress,
     out: &mut dyn Write,
 ) -> Result<Exit, CommandError> {
     let args = config::complete(given)?;
@@ -36,7 +37,7 @@ pub(crate) fn run(
     if let Some(folder) = &args.report {
         report::check_place(folder)?;
     }
-    let Input { records, sources, known_inputs, noise, warnings } = input::read(&args)?;
+    let Input { records, sources, known_inputs, noise, warnings } = input::read(&args, progress)?;
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
     let options = options::options(&args, &records, noise, known_inputs)?;
     let mut result = reconstruct(&records, &options)
@@ -66,7 +67,7 @@ pub(crate) fn run(
             result: &result,
             found: &found,
             flying: args.aircraft_class.zip(args.flight_phase),
-            progress: Progress::Shown,
+            progress,
         };
         report::write(folder, &input)?;
     }
@@ -75,7 +76,9 @@ pub(crate) fn run(
     if let Some(file) = &args.json {
         output::write_whole(file, &json::render(&outcome)?, out)?;
     }
-    if args.json.as_deref() != Some(standard_output) {
+    let to_files = args.report.is_some() || args.json.is_some();
+    let repeats = progress == Progress::Hidden && to_files;
+    if args.json.as_deref() != Some(standard_output) && !repeats {
         output::write_whole(standard_output, text::render(&outcome).as_bytes(), out)?;
     }
     Ok(if result.doubts.is_empty() { Exit::Fine } else { Exit::Doubtful })

@@ -10,19 +10,24 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::args::InspectArgs;
+use crate::records::Progress;
 use crate::{CommandError, Exit, output};
 use file::{Inspected, Weight};
 use mapping::{lateral, quoted};
 
 /// Looks at the files and writes what was found.
-pub(crate) fn run(args: &InspectArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+pub(crate) fn run(
+    args: &InspectArgs,
+    progress: Progress,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
     let selection = args.selection();
     selection.check()?;
     if let Some(file) = &args.json {
         let files: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
         output::check_place(file, &files)?;
     }
-    let inspect = |file: &PathBuf| file::inspect(file, &selection);
+    let inspect = |file: &PathBuf| file::inspect(file, &selection, progress);
     let files = args.files.iter().map(inspect).collect::<Result<Vec<_>, _>>()?;
     let suggestion = suggestion(args, &files);
 

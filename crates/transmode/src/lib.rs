@@ -4,6 +4,7 @@
 //! writes are read or written here; the crates below compute.
 
 mod args;
+mod colors;
 mod command_line;
 mod doubts;
 mod error;
@@ -11,16 +12,24 @@ mod fit;
 mod identify;
 mod inspect;
 mod modes;
+mod monitor;
 mod output;
+mod pages;
 mod records;
 mod report;
+mod simulate;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};
 
 use clap::Parser;
 
-pub use error::{CommandError, OptionError, Others, SelectionError, TableError, TimeError};
+use colors::Colors;
+use records::Progress;
+
+pub use error::{
+    CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError,
+};
 pub use output::write_whole;
 
 /// How a command ended; the program's exit code.
@@ -41,7 +50,16 @@ impl From<Exit> for std::process::ExitCode {
     }
 }
 
-/// Carries out a command line, the program's name first. Results go to `out`, errors to `err`.
+/// Where the output goes, as far as colours depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Terminals {
+    /// Standard output is a terminal that shows colours.
+    pub out: bool,
+    /// Standard error is one.
+    pub err: bool,
+}
+
+/// Carries out a command line, the program's name first. Results go to `out`, errors to `err`, both without colours unless `--color always` asks for them.
 ///
 /// # Example
 ///
@@ -57,28 +75,46 @@ pub fn run<W: Into<OsString> + Clone>(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Exit {
+    run_on(words, out, err, Terminals::default())
+}
+
+/// The same, with colours where a terminal shows them.
+pub fn run_on<W: Into<OsString> + Clone>(
+    words: impl IntoIterator<Item = W>,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+    terminals: Terminals,
+) -> Exit {
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
     let typed = command_line::as_typed(&words);
-    let args = match args::Args::try_parse_from(words) {
+    let colors = Colors::of(&words, terminals);
+    let args = match args::Args::try_parse_from(&words) {
         Ok(args) => args,
         // Help and version are asked for, so they are results; anything else is bad input.
         Err(answer) => {
-            let text = answer.render().to_string();
-            let (written, exit) = if answer.use_stderr() {
-                (err.write_all(text.as_bytes()), Exit::BadInput)
-            } else {
-                (out.write_all(text.as_bytes()), Exit::Fine)
-            };
-            return match written {
+            let (to, exit): (&mut dyn Write, _) =
+                if answer.use_stderr() { (err, Exit::BadInput) } else { (out, Exit::Fine) };
+            let colored = if answer.use_stderr() { colors.err } else { colors.out };
+            let text = answer.render();
+            let text = if colored { text.ansi().to_string() } else { text.to_string() };
+            return match to.write_all(text.as_bytes()) {
                 Err(error) if error.kind() != ErrorKind::BrokenPipe => Exit::BadInput,
                 _ => exit,
             };
         }
     };
+    let progress = if args.quiet { Progress::Hidden } else { Progress::Shown };
+    let mut nowhere = std::io::sink();
+    // Where the result goes to a file, a quiet command says nothing.
+    let out = if args.quiet && args.command.writes_files() { &mut nowhere } else { out };
     let result = match args.command {
-        args::Command::Identify(args) => identify::run(&args, &typed, out),
-        args::Command::Fit(args) => fit::run(&args, out),
-        args::Command::Inspect(args) => inspect::run(&args, out),
+        args::Command::Identify(args) => identify::run(&args, &typed, progress, out),
+        args::Command::Fit(args) => fit::run(&args, progress, out),
+        args::Command::Inspect(args) => inspect::run(&args, progress, out),
+        args::Command::Simulate(args) => simulate::run(&args, out),
+        args::Command::Monitor(args) => monitor::run(&args, progress, out),
+        args::Command::Completions(args) => pages::completions(&args, out),
+        args::Command::Man(args) => pages::man(&args, out),
     };
     result.unwrap_or_else(|error| {
         // A reader that went away, such as `head`, has what it wanted.
@@ -86,7 +122,7 @@ pub fn run<W: Into<OsString> + Clone>(
             return Exit::Fine;
         }
         // Nothing is left to be told if even this cannot be written; the exit code says it.
-        let _ = writeln!(err, "error: {error}");
+        let _ = writeln!(err, "{} {error}", colors.label("error:"));
         Exit::BadInput
     })
 }

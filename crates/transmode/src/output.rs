@@ -1,10 +1,13 @@
 //! Whole files or none: a file is written beside its place and then renamed.
 
+mod folder;
+
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
 use crate::CommandError;
+pub(crate) use folder::{Overwrite, check_folder, write_folder};
 
 /// Writes `bytes` to `file`, or to `out` where the file is called `-`.
 ///

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use reconstruct::{Channel, Record};
 
 use super::averages::count;
-use super::signals::normal;
+use super::signals::{Stream, normal};
 use crate::TaskError;
 
 /// The sensors, in the order of all rows and channels: sideslip, roll rate, yaw rate.
@@ -30,7 +30,7 @@ pub(super) fn noisy_record(
     period: SamplePeriod,
     y: &DMatrix<f64>,
     levels: &[f64],
-    random: &mut rand_chacha::ChaCha8Rng,
+    random: &mut Stream,
 ) -> Result<Record, TaskError> {
     let noise = normal(SENSORS.len(), y.ncols(), random);
     let channels = SENSORS.iter().enumerate().map(|(sensor, name)| {

@@ -57,7 +57,7 @@ pub(crate) struct FitArgs {
 }
 
 /// An order of the model, which may be zero here.
-fn order(text: &str) -> Result<usize, String> {
+pub(super) fn order(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "an order is a whole number, at least 0".to_owned())
 }
 

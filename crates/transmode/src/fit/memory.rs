@@ -7,7 +7,7 @@ use cfi_ident::{FitError, FitOptions, Segment, Structure};
 use super::explained::explained;
 use super::found::{Found, Passes, poles, short_name};
 use crate::CommandError;
-use crate::records::{in_file, pair};
+use crate::records::{Progress, in_file, pair};
 
 pub(super) fn fit(
     file: &Path,
@@ -15,8 +15,9 @@ pub(super) fn fit(
     time: Option<&str>,
     structure: &Structure,
     options: &FitOptions,
+    progress: Progress,
 ) -> Result<Found, CommandError> {
-    let pair = pair::load(file, [input, output], time)?;
+    let pair = pair::load(file, [input, output], time, progress)?;
     let segments = pair
         .stretches
         .iter()

@@ -22,6 +22,7 @@ pub(super) fn fit(
     [input, output]: [&str; 2],
     structure: &Structure,
     options: &FitOptions,
+    progress: Progress,
 ) -> Result<Found, CommandError> {
     let (mut source, length) = binary::open(file)?;
     let placement = match format {
@@ -37,7 +38,7 @@ pub(super) fn fit(
         return Err(CommandError::SameColumn { column: input.to_owned() });
     }
 
-    let progress = Progress::Shown.samples(placement.samples());
+    let progress = progress.samples(placement.samples());
     let fault = |error: &dyn std::error::Error| in_file(file, error);
     let mut sums = Sums::new(structure, options).map_err(|error| fault(&explained(error)))?;
     let mut blocks = Blocks::new(source, placement, channels);

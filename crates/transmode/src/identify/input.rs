@@ -20,10 +20,10 @@ pub(super) struct Input {
 }
 
 /// Reads all files and refuses what cannot be used.
-pub(super) fn read(args: &IdentifyArgs) -> Result<Input, CommandError> {
+pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, CommandError> {
     let mut options = args.files.options();
     options.known_inputs = args.known_input.iter().map(|name| name.trim().to_owned()).collect();
-    let loaded = records::load(&args.files.files, &options, Progress::Shown)?;
+    let loaded = records::load(&args.files.files, &options, progress)?;
     let Loaded { records, sources, known_inputs, warnings } = loaded;
     let mut input = Input { records, sources, known_inputs, noise: None, warnings };
     check_number(args.method(), &input)?;
@@ -32,7 +32,7 @@ pub(super) fn read(args: &IdentifyArgs) -> Result<Input, CommandError> {
     }
     leave_out_idle(&mut input, &options.known_inputs)?;
     if let Some(file) = &args.noise_record {
-        let noise = quiet(file, &options, &mut input)?;
+        let noise = quiet(file, &options, &mut input, progress)?;
         input.noise = Some(noise);
     }
     Ok(input)
@@ -151,6 +151,7 @@ fn quiet(
     file: &QuietFile,
     options: &LoadOptions,
     input: &mut Input,
+    progress: Progress,
 ) -> Result<Record, CommandError> {
     let mut options = LoadOptions { known_inputs: Vec::new(), ..options.clone() };
     if let Some(record) = input.records.first() {
@@ -167,8 +168,7 @@ fn quiet(
             Vec::new()
         }
     };
-    let Loaded { records, sources, warnings, .. } =
-        records::load(&files, &options, Progress::Shown)?;
+    let Loaded { records, sources, warnings, .. } = records::load(&files, &options, progress)?;
     let (samples, total) = (
         records.iter().map(Record::samples).max().unwrap_or(0),
         records.iter().map(Record::samples).sum(),

@@ -69,7 +69,11 @@ pub(super) enum Weight {
 }
 
 /// Reads a file and looks at everything in it.
-pub(super) fn inspect(file: &Path, selection: &Selection) -> Result<Inspected, CommandError> {
+pub(super) fn inspect(
+    file: &Path,
+    selection: &Selection,
+    progress: Progress,
+) -> Result<Inspected, CommandError> {
     let mut selected = Selected::default();
     let mut selection = selection.clone();
     let mut findings = Vec::new();
@@ -84,7 +88,7 @@ pub(super) fn inspect(file: &Path, selection: &Selection) -> Result<Inspected, C
         selected = selection.select(file, format, headings)?;
         Ok(selected.sensors.iter().chain(&selected.time).map(|wanted| wanted.index).collect())
     };
-    let mut table = source::read(file, &mut choose, Progress::Shown)?;
+    let mut table = source::read(file, &mut choose, progress)?;
     let factor = selected.time.map(|time| time.factor);
     let time = selected.time.map(|time| table.headings[time.index].name.clone());
     let times = Times::take(file, &mut table, factor, &selection.time)?;

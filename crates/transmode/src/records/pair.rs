@@ -28,6 +28,7 @@ pub(crate) fn load(
     file: &Path,
     [input, output]: [&str; 2],
     time: Option<&str>,
+    progress: Progress,
 ) -> Result<Pair, CommandError> {
     let time = time.map_or(TimeSource::UsualOrUnknown, |name| TimeSource::Column(name.to_owned()));
     let selection = Selection { outputs: vec![input.to_owned(), output.to_owned()], time };
@@ -44,7 +45,7 @@ pub(crate) fn load(
         })?;
         Ok(selected.sensors.iter().chain(&selected.time).map(|wanted| wanted.index).collect())
     };
-    let mut table = source::read(file, &mut choose, Progress::Shown)?;
+    let mut table = source::read(file, &mut choose, progress)?;
     let factor = selected.time.map(|time| time.factor);
     let times = Times::take(file, &mut table, factor, &selection.time)?;
     for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {

@@ -14,7 +14,6 @@ pub(crate) enum Progress {
     /// Bars on standard error, where that is a terminal and reading takes over a second; they are gone at the end.
     Shown,
     /// Nothing is shown.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for commands that are told to be quiet"))]
     Hidden,
 }
 

@@ -1,13 +1,13 @@
 //! The records of a case: the paper's aircraft, moved through the aileron in one record and through the rudder in the other, with noise.
 
-use lti::{Continuous, Discrete, SamplePeriod, StateSpace};
+use flight::{ContinuousNoise, FlightError, behind_low_pass};
+use lti::{Discrete, StateSpace};
 use nalgebra::DMatrix;
 use reconstruct::{Record, SharedModel};
 
 use super::case::{Case, Excitation};
 use crate::TaskError;
 use crate::reproduce::flight::sampled_aircraft;
-use crate::study::averages::count;
 use crate::study::modes::{TrueModes, told_apart};
 use crate::study::readings::{SURFACES, noise_levels, noisy_record};
 use crate::study::signals::{autoregressive, multistep, normal, stream};
@@ -16,8 +16,6 @@ const PART: &str = "records";
 
 /// Corner of the band-limited excitation in rad/s: 1 Hz, beyond what a pilot does.
 const CORNER_RAD_S: f64 = std::f64::consts::TAU;
-/// Steps of the simulation between two samples where the excitation is not held.
-const SUBSTEPS: usize = 20;
 /// Where the multistep begins.
 const FIRST_STEP: usize = 10;
 
@@ -32,21 +30,20 @@ pub(crate) struct Pair {
 pub(crate) struct Simulator {
     discrete: StateSpace<Discrete>,
     /// For each surface, noise to sensors, through a low-pass filter in continuous time.
-    filtered: Vec<StateSpace<Discrete>>,
+    filtered: Vec<ContinuousNoise>,
     modes: TrueModes,
 }
 
 impl Simulator {
     pub(crate) fn new() -> Result<Self, TaskError> {
         let aircraft = sampled_aircraft()?;
-        let period = aircraft.discrete.period().seconds();
-        let fine =
-            SamplePeriod::new(period / count(SUBSTEPS)).map_err(TaskError::computation(PART))?;
+        let period = aircraft.discrete.period();
         let filtered = (0..SURFACES.len()).map(|surface| {
-            let system = behind_filter(&aircraft.continuous, surface)?;
-            system.zoh(fine).map_err(TaskError::computation(PART))
+            let system = behind_low_pass(&aircraft.continuous, surface, CORNER_RAD_S)?;
+            ContinuousNoise::new(&system, period)
         });
-        let filtered = filtered.collect::<Result<_, _>>()?;
+        let filtered =
+            filtered.collect::<Result<_, FlightError>>().map_err(TaskError::computation(PART))?;
         let poles = aircraft.continuous.poles().map_err(TaskError::computation(PART))?;
         Ok(Self { discrete: aircraft.discrete, filtered, modes: told_apart(&poles)? })
     }
@@ -119,12 +116,9 @@ impl Simulator {
                 input
             }
             Excitation::BandLimited => {
-                let input = normal(1, samples * SUBSTEPS, &mut random);
-                let simulation = self.filtered[surface]
-                    .simulate(&input, None)
-                    .map_err(TaskError::computation(PART))?;
-                let fine = simulation.outputs;
-                return Ok(DMatrix::from_fn(fine.nrows(), samples, |i, k| fine[(i, k * SUBSTEPS)]));
+                return self.filtered[surface]
+                    .sampled(0, samples, &mut random)
+                    .map_err(TaskError::computation(PART));
             }
         };
         let system = self
@@ -134,34 +128,6 @@ impl Simulator {
         let simulation = system.simulate(&input, None).map_err(TaskError::computation(PART))?;
         Ok(simulation.outputs)
     }
-}
-
-/// White noise through a Butterworth filter of fourth order to one surface, and on to the sensors.
-fn behind_filter(
-    aircraft: &StateSpace<Continuous>,
-    surface: usize,
-) -> Result<StateSpace<Continuous>, TaskError> {
-    const FILTER: usize = 4;
-    let n = aircraft.order();
-    let mut a = DMatrix::zeros(n + FILTER, n + FILTER);
-    a.view_mut((0, 0), (n, n)).copy_from(aircraft.a());
-    // The second section's output moves the surface.
-    a.view_mut((0, n + 2), (n, 1)).copy_from(&aircraft.b().column(surface));
-    let square = CORNER_RAD_S * CORNER_RAD_S;
-    for (section, angle) in
-        [(n, std::f64::consts::FRAC_PI_8), (n + 2, 3.0 * std::f64::consts::FRAC_PI_8)]
-    {
-        a[(section, section + 1)] = 1.0;
-        a[(section + 1, section)] = -square;
-        a[(section + 1, section + 1)] = -2.0 * angle.cos() * CORNER_RAD_S;
-    }
-    a[(n + 3, n)] = square;
-    let mut b = DMatrix::zeros(n + FILTER, 1);
-    b[(n + 1, 0)] = square;
-    let mut c = DMatrix::zeros(aircraft.outputs(), n + FILTER);
-    c.view_mut((0, 0), (aircraft.outputs(), n)).copy_from(aircraft.c());
-    let d = DMatrix::zeros(aircraft.outputs(), 1);
-    StateSpace::<Continuous>::new(a, b, c, d).map_err(TaskError::computation(PART))
 }
 
 #[cfg(test)]

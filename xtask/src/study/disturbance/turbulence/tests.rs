@@ -38,9 +38,9 @@ fn the_vane_reads_the_air() {
     // At once a gust shows in the vane alone, with its sign changed; the air then turns the aircraft as sideslip would.
     let turbulence = turbulence();
     let gust = 4;
-    assert!((turbulence.fine.c()[(0, gust)] + 1.0).abs() < 1e-15);
-    assert!(turbulence.fine.c()[(1, gust)].abs() < 1e-15);
-    let a = turbulence.fine.a();
+    assert!((turbulence.noise.fine().c()[(0, gust)] + 1.0).abs() < 1e-15);
+    assert!(turbulence.noise.fine().c()[(1, gust)].abs() < 1e-15);
+    let a = turbulence.noise.fine().a();
     for rate in 1..3 {
         let (sideslip, air) = (a[(rate, 0)], a[(rate, gust)]);
         assert!((sideslip + air).abs() < 0.01 * sideslip.abs(), "{sideslip} {air}");

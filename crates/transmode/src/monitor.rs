@@ -1,0 +1,97 @@
+//! `transmode monitor`: do the sensors of new records still go together as those of a healthy one did?
+
+mod json;
+mod model_file;
+mod reference;
+mod text;
+
+use std::io::Write;
+use std::path::Path;
+
+use ::monitor::{Detector, Diagnosis, Window};
+use reconstruct::Record;
+
+use crate::args::MonitorArgs;
+use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress};
+use crate::{CommandError, Exit, output};
+use reference::Reference;
+
+/// One new record and what was found in it.
+#[derive(Debug)]
+struct Watched {
+    name: String,
+    /// The time of the first sample.
+    start_s: f64,
+    windows: Vec<Window>,
+    diagnosis: Option<Diagnosis>,
+}
+
+/// All that one run found.
+#[derive(Debug)]
+struct Found {
+    reference: Reference,
+    watched: Vec<Watched>,
+    warnings: Vec<LoadWarning>,
+}
+
+/// Calibrates with the reference, watches the new records and writes what was found.
+pub(crate) fn run(
+    args: &MonitorArgs,
+    progress: Progress,
+    out: &mut dyn Write,
+) -> Result<Exit, CommandError> {
+    if let Some(file) = &args.json {
+        let mut files = args.files.paths();
+        files.push(&args.reference);
+        files.extend(args.model.iter().map(std::path::PathBuf::as_path));
+        output::check_place(file, &files)?;
+    }
+    let models =
+        args.model.iter().map(|file| model_file::read(file)).collect::<Result<Vec<_>, _>>()?;
+    let mut options = args.files.options();
+    if options.selection.outputs.is_empty() {
+        options.selection.outputs = model_file::sensors(&models);
+    }
+    let of_reference = LoadOptions { windows: Vec::new(), ..options.clone() };
+    let reference = std::slice::from_ref(&args.reference);
+    let healthy = records::load(reference, &of_reference, progress)?;
+    let mut warnings = healthy.warnings.clone();
+    let reference = reference::calibrate(args, healthy, &models)?;
+
+    let Loaded { records, sources, warnings: more, .. } =
+        records::load(&args.files.files, &options, progress)?;
+    warnings.extend(more);
+    let mut watched = Vec::new();
+    for (record, source) in records.iter().zip(&sources) {
+        reference.check(record)?;
+        watched.push(watch(&reference.detector, record, source.span_s[0])?);
+    }
+    let found = Found { reference, watched, warnings };
+
+    // The file first: if it cannot be written, nothing has been said yet.
+    let standard_output = Path::new("-");
+    if let Some(file) = &args.json {
+        output::write_whole(file, &json::render(&found)?, out)?;
+    }
+    if args.json.as_deref() != Some(standard_output) {
+        output::write_whole(standard_output, text::render(&found).as_bytes(), out)?;
+    }
+    let is_alarm = |watched: &Watched| watched.diagnosis.is_some();
+    Ok(if found.watched.iter().any(is_alarm) { Exit::Doubtful } else { Exit::Fine })
+}
+
+fn watch(detector: &Detector, record: &Record, start_s: f64) -> Result<Watched, CommandError> {
+    let fault = |message: String| CommandError::InFile { file: record.name().into(), message };
+    let stretches = [reference::stretch(record)];
+    let windows = detector.watch(&stretches).map_err(|error| fault(error.to_string()))?;
+    if windows.is_empty() {
+        let needed = detector.margin() + detector.options().window;
+        return Err(fault(format!(
+            "its {} samples are too few for one span, which takes {needed}; give a longer record or a shorter --span",
+            record.samples()
+        )));
+    }
+    let diagnosis =
+        detector.diagnose(&windows, &stretches).map_err(|error| fault(error.to_string()))?;
+    Ok(Watched { name: record.name().to_owned(), start_s, windows, diagnosis })
+}
