@@ -103,7 +103,8 @@ pub struct LikelihoodFit {
     pub feedthrough_sensors: Vec<usize>,
     /// How the excitation moves between samples: as in the options, or what is more likely.
     pub hold: Hold,
-    /// Minus twice the logarithm of the other hold's likelihood over this one's; `None` where the hold was given or the other one has no likelihood.
+    /// Minus twice the logarithm of the other hold's likelihood over this one's, with 2 for each number of a record that one of them has more; at most 20
+    /// where the excitation is held. `None` where the hold was given, or where the search for the other one did not arrive.
     pub hold_evidence: Option<f64>,
     /// Directions of the parameters that the records determine.
     pub determined: usize,

@@ -130,7 +130,9 @@ impl Problem {
                 eliminated.cells.len(),
                 eliminated.cells.iter().map(|&cell| sums.descent(self.cell(cell))),
             );
-            let cost = (sums.cost - own.dot(&eliminated.best)).max(0.0);
+            let cost = sums.cost - own.dot(&eliminated.best);
+            // Rounding errors may lie below zero; what is not a number stays none.
+            let cost = if cost < 0.0 { 0.0 } else { cost };
             result.cost += cost;
             result.record_costs.push(cost);
             let known = DMatrix::from_fn(cells.len(), eliminated.cells.len(), |local, k| {

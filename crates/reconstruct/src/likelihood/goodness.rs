@@ -24,6 +24,12 @@ impl ChiSquared {
         Self { value, degrees_of_freedom, p_value }
     }
 
+    /// The probability of a value per degree of freedom as far from 1, on this side, where it scatters with this variance.
+    pub(crate) fn probability_with_variance(&self, variance: f64) -> f64 {
+        let off = self.per_degree_of_freedom() - 1.0;
+        0.5 * chi_squared_survival(off * off / variance, 1.0)
+    }
+
     /// About 1 where the model holds.
     #[must_use]
     pub fn per_degree_of_freedom(&self) -> f64 {

@@ -7,6 +7,8 @@
 //! The excitation is one unknown per frequency, and what the likelihood loses is not exactly chi-squared. Its scale is set where it must agree with the
 //! deviation: close to the top.
 
+use nalgebra::DMatrix;
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::climb::settled_again;
@@ -26,7 +28,9 @@ const CLOSE_ENOUGH: f64 = 0.02;
 /// The next trial lies at most so many times farther out.
 const FARTHEST: f64 = 2.0;
 /// Trials of an end.
-const TRIALS: usize = 15;
+const TRIALS: usize = 25;
+/// A mode has reached its place within so many widths of it; the likelihood pulls it off by a small part of one.
+const NEAR_ENOUGH: f64 = 20.0;
 /// Beyond so many deviations there is no end.
 const ENDLESS: f64 = 50.0;
 /// A mode is held within its deviation over this.
@@ -113,6 +117,8 @@ struct Profile<'a> {
 
 /// A fit around a mode that is held.
 struct Held {
+    /// Where it is.
+    z: f64,
     /// What minus twice the logarithm of the likelihood lies above the top's.
     fall: f64,
     evaluation: Evaluation,
@@ -125,8 +131,9 @@ impl Profile<'_> {
         if !(real && deviation > 0.0 && deviation.is_finite()) {
             return None;
         }
-        let at = |off: f64, start: &Evaluation| self.held(s.re + off * deviation, deviation, start);
-        let (below, above) = (at(-CLOSE, &self.top)?, at(CLOSE, &self.top)?);
+        let at = |off: f64, near: &Held| self.held(s.re + off * deviation, deviation, near);
+        let top = Held { z: mode.discrete.value.re, fall: 0.0, evaluation: self.top.clone() };
+        let (below, above) = (at(-CLOSE, &top)?, at(CLOSE, &top)?);
         // What a parabola with this deviation would fall by is off^2. The likelihood's own is narrower if anything.
         let scale = 0.5 * (below.fall + above.fall) / (CLOSE * CLOSE);
         if !scale.is_finite() {
@@ -134,18 +141,24 @@ impl Profile<'_> {
         }
         let scale = scale.max(1.0);
         let root = |held: &Held| (held.fall / scale).max(0.0).sqrt();
-        let low = distance(below, root, |off, near| at(-off, &near.evaluation));
-        let high = distance(above, root, |off, near| at(off, &near.evaluation));
+        let low = distance(below, root, |off, near| at(-off, near));
+        let high = distance(above, root, |off, near| at(off, near));
         Some([s.re - low * deviation, s.re + high * deviation])
     }
 
-    /// The fit with the eigenvalue held at s, from one nearby. `None` where it cannot be held there.
-    fn held(&self, s: f64, deviation: f64, start: &Evaluation) -> Option<Held> {
+    /// The fit with the eigenvalue held at s, from one nearby. `None` where it cannot be held there: because another eigenvalue is closer to that place, or
+    /// because the search did not bring it there.
+    fn held(&self, s: f64, deviation: f64, near: &Held) -> Option<Held> {
         const STEPS: usize = 50;
         // What is left to fall is its square.
         const STEP_TOLERANCE: f64 = 0.1;
         let eigenvalue = (s * self.period).exp();
         let width = deviation * self.period * eigenvalue / HOLD;
+        if closest(&near.evaluation.system.a, eigenvalue)?
+            != closest(&near.evaluation.system.a, near.z)?
+        {
+            return None;
+        }
         let limits = Limits {
             steps: STEPS,
             step_tolerance: STEP_TOLERANCE,
@@ -154,11 +167,21 @@ impl Profile<'_> {
             ceiling: f64::INFINITY,
             held: Some(Place { eigenvalue, penalty: 1.0 / (width * width) }),
         };
-        let found = minimise(self.problem, start.clone(), &self.variances, limits);
+        let start = near.evaluation.clone();
+        let found = minimise(self.problem, start, &self.variances, limits);
         let evaluation = settled_again(self.problem, found.evaluation, &self.variances);
         let fall = evaluation.cost - self.top.cost;
-        fall.is_finite().then_some(Held { fall, evaluation })
+        let reached = closest(&evaluation.system.a, eigenvalue)?;
+        let is_there = (reached - eigenvalue).norm() < NEAR_ENOUGH * width;
+        (is_there && fall.is_finite()).then_some(Held { z: reached.re, fall, evaluation })
     }
+}
+
+/// The eigenvalue of A closest to a place on the real axis.
+fn closest(a: &DMatrix<f64>, place: f64) -> Option<Complex<f64>> {
+    let off = |z: &Complex<f64>| (z - place).norm();
+    let values = a.complex_eigenvalues();
+    values.iter().min_by(|x, y| off(x).total_cmp(&off(y))).copied()
 }
 
 /// How far out the likelihood has fallen as far as at a 95 % end, in deviations: infinite where it does not. `root` is the fall in deviations; `close` is that at
@@ -169,7 +192,7 @@ fn distance<T>(close: T, root: impl Fn(&T) -> f64, at: impl Fn(f64, &T) -> Optio
         let fallen = root(&inside.1).min(NORMAL_95);
         let trial = match outside {
             None => {
-                let growth = (NORMAL_95 / fallen.max(0.1)).clamp(1.05, FARTHEST);
+                let growth = (NORMAL_95 / fallen.max(0.1)).clamp(1.1, FARTHEST);
                 (inside.0 * growth).min(ENDLESS)
             }
             Some((far, fell)) if f64::is_finite(fell) => {

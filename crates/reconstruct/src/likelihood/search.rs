@@ -12,7 +12,7 @@ use super::thinning::thinned;
 use crate::SharedModel;
 
 /// Tops within this objective of the best one are told: a likelihood ratio of e^3, 20 to 1.
-const RIVAL: f64 = 6.0;
+pub(super) const RIVAL: f64 = 6.0;
 /// Tops within this objective of the best one may be the best one in the end; on some frequencies, times how many of all one stands for.
 const FINALIST: f64 = 20.0;
 /// Two tops with objectives closer than this are one; the searches end within a tenth of it.

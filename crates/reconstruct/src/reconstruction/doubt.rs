@@ -94,15 +94,20 @@ impl std::fmt::Display for ReconstructionDoubt {
             Self::Subspace(doubt) => doubt.fmt(f),
             Self::OptimumNotReached { status, remaining_step } => write!(
                 f,
-                "the search for the largest likelihood ended early ({status:?}), {remaining_step:.1e} standard deviations from where it was going"
+                "the search for the largest likelihood ended early, {}, {remaining_step:.1e} standard deviations from where it was going",
+                match status {
+                    SearchStatus::StepLimit => "after as many steps as it may take",
+                    _ => "without a step that leads lower",
+                }
             ),
             Self::LevelsNotSettled { updates } => {
                 write!(f, "the noise levels did not settle in {updates} updates")
             }
             Self::PoorFit { per_degree_of_freedom, probability } => write!(
                 f,
-                "chi-squared per degree of freedom is {per_degree_of_freedom:.3} instead of 1, which has probability {probability:.0e}: the noise is not \
-                 what was given, or a record holds more than one excitation"
+                "chi-squared per degree of freedom is {per_degree_of_freedom:.3} instead of 1, which has {}: the noise is not \
+                 what was given, or a record holds more than one excitation",
+                chance(*probability)
             ),
             Self::UnequalFit { record, per_degree_of_freedom, deviations } => write!(
                 f,
@@ -111,12 +116,14 @@ impl std::fmt::Display for ReconstructionDoubt {
             ),
             Self::ResidualsNotWhite { record, p_value } => write!(
                 f,
-                "record {record}: the residuals are not white (probability {p_value:.0e}): more than one excitation, disturbances, or too low an order"
+                "record {record}: the residuals are not white ({}): more than one excitation, disturbances, or too low an order",
+                chance(*p_value)
             ),
             Self::Offset { p_value } => write!(
                 f,
-                "a sensor does not read zero in trim (probability {p_value:.0e} if all did), which pushes the slow modes: take offsets into account, or the \
-                 trim values out of the records"
+                "a sensor does not read zero in trim ({} if all did), which pushes the slow modes: take offsets into account, or the \
+                 trim values out of the records",
+                chance(*p_value)
             ),
             Self::LevelsDisagree { sensor, subspace, likelihood } => write!(
                 f,
@@ -141,6 +148,16 @@ impl std::fmt::Display for ReconstructionDoubt {
                 "the records determine {determined} of {identifiable} parameters: a mode is not excited, or two excitations are alike"
             ),
         }
+    }
+}
+
+/// `probability 3e-5`, or a bound of those that are too small for a number.
+fn chance(probability: f64) -> String {
+    const SMALLEST: f64 = 1e-300;
+    if probability < SMALLEST {
+        format!("probability below {SMALLEST:.0e}")
+    } else {
+        format!("probability {probability:.0e}")
     }
 }
 
@@ -187,7 +204,7 @@ pub(super) fn doubts(
         // The level was chosen, and what is left are rounding errors.
         return doubts;
     }
-    doubts.extend(of_size(records, fit));
+    doubts.extend(of_size(records, fit, noise));
     for (record, whiteness) in records.iter().zip(&fit.whiteness) {
         let p_value = match noise {
             NoiseModel::Quiet(quiet) => whiteness.p_value_with_variance(with_quiet(record, quiet)),
@@ -249,8 +266,7 @@ fn of_search(fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {
     if !matches!(search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel) {
         let (status, remaining_step) = (search.status, search.remaining_step);
         doubts.push(ReconstructionDoubt::OptimumNotReached { status, remaining_step });
-    }
-    if !search.levels_settled {
+    } else if !search.levels_settled {
         doubts.push(ReconstructionDoubt::LevelsNotSettled { updates: search.level_updates });
     }
     if fit.determined < fit.identifiable {
@@ -260,7 +276,23 @@ fn of_search(fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {
     doubts
 }
 
-fn of_size(records: &[Record], fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> {
+/// The probability of a chi-squared as far from its degrees of freedom, on this side; with a quiet record whose spectrum is itself as uncertain
+/// as that record is short, by the normal distribution.
+fn probability(fit: &LikelihoodFit, noise: &NoiseModel) -> f64 {
+    let chi_squared = fit.chi_squared;
+    let Some(p_value) = chi_squared.p_value else { return 1.0 };
+    let NoiseModel::Quiet(quiet) = noise else { return p_value.min(1.0 - p_value) };
+    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
+    let of_quiet = ((quiet.channels().len() - 1) * quiet.samples()) as f64;
+    let variance = 2.0 / chi_squared.degrees_of_freedom + 2.0 / of_quiet;
+    chi_squared.probability_with_variance(variance)
+}
+
+fn of_size(
+    records: &[Record],
+    fit: &LikelihoodFit,
+    noise: &NoiseModel,
+) -> Vec<ReconstructionDoubt> {
     let mut doubts = Vec::new();
     let chi_squared = fit.chi_squared;
     let degrees_of_freedom = chi_squared.degrees_of_freedom;
@@ -271,7 +303,7 @@ fn of_size(records: &[Record], fit: &LikelihoodFit) -> Vec<ReconstructionDoubt> 
         doubts.push(ReconstructionDoubt::TooShort { degrees_of_freedom, parameters });
     }
     let per_degree_of_freedom = chi_squared.per_degree_of_freedom();
-    let probability = chi_squared.p_value.map_or(1.0, |p| p.min(1.0 - p));
+    let probability = probability(fit, noise);
     if probability < IMPROBABLE {
         doubts.push(ReconstructionDoubt::PoorFit { per_degree_of_freedom, probability });
     }

@@ -98,6 +98,31 @@ fn it_holds_a_slow_mode_as_often_as_it_should() {
 }
 
 #[test]
+fn a_neighbour_does_not_take_the_place_of_a_mode() {
+    // Two real modes within a few deviations of each other.
+    let eigenvalues = [Complex::new(0.80, 0.0), Complex::new(0.86, 0.0)];
+    let mut told = 0;
+    for seed in 71..=80 {
+        let mut normal = Normal::new(seed);
+        let model = system(&eigenvalues, 3, 2, &mut normal);
+        let flights = fly(&model, &[150, 150], &Disturbance { noise: 0.05, ..QUIET }, &mut normal);
+        let options = given(&flights.levels);
+        let fit = maximise(&flights.records, &[model], &options).unwrap();
+        let found = profile_intervals(&flights.records, &fit, &options).unwrap();
+        for (mode, interval) in fit.modes.iter().zip(found) {
+            let Some([low, high]) = interval else { continue };
+            told += 1;
+            let s = mode.continuous.value.re;
+            assert!(low < s && s < high, "{seed}: {low} {s} {high}");
+            // Beyond twenty deviations it would be the other one that is held.
+            let deviation = mode.continuous.real_deviation();
+            assert!(high - low < 40.0 * deviation, "{seed}: {low} {high}, {deviation}");
+        }
+    }
+    assert!(told >= 10, "{told}");
+}
+
+#[test]
 fn an_oscillation_from_sample_to_sample_has_none() {
     let eigenvalues = [Complex::new(-0.7, 0.0), Complex::new(0.9, 0.0)];
     let mut normal = Normal::new(63);
