@@ -33,7 +33,7 @@ fn run(command: &str, folder: &Folder) -> Ran {
     let mut words: Vec<String> = Vec::new();
     for word in command.split_whitespace().skip(1) {
         let is_file = word.contains('/') || word.ends_with(".csv") || word.ends_with(".json");
-        let is_folder = words.last().is_some_and(|last| last == "-o");
+        let is_folder = words.last().is_some_and(|last| last == "-o" || last == "--report");
         let place = || folder.path(word).to_str().unwrap().to_owned();
         words.push(if is_file || is_folder { place() } else { word.to_owned() });
     }
@@ -102,6 +102,7 @@ fn every_command_prints_what_the_tutorial_says() {
     // The record of two excitations, and the frozen sensor.
     assert_eq!(doubtful, 2);
     assert!(folder.path("modes.json").exists());
+    assert!(folder.path("report/report.html").exists());
 }
 
 #[test]

@@ -83,14 +83,29 @@ pub(crate) fn write(folder: &Path, input: &Input<'_>) -> Result<(), CommandError
     let fault = |error: report::ReportError| CommandError::Report(error.to_string());
     let page = report::html::render(&document).map_err(fault)?;
     let mut files = vec![(PAGE.to_owned(), page.into_bytes())];
-    for figure in document.figures() {
-        let picture = report::svg::render(figure).map_err(fault)?;
-        let image = report::png::render(&picture, PNG_SCALE).map_err(fault)?;
+    let pictures: Vec<String> =
+        document.figures().map(report::svg::render).collect::<Result<_, _>>().map_err(fault)?;
+    let images = images(&pictures).map_err(fault)?;
+    for (figure, (picture, image)) in document.figures().zip(pictures.into_iter().zip(images)) {
         files.push((format!("{}.svg", figure.id), picture.into_bytes()));
         files.push((format!("{}.png", figure.id), image));
-        working.tick();
     }
+    working.tick();
     folder::replace(folder, &files)
+}
+
+/// The pictures as PNG, each drawn by a thread of its own: packing the pixels takes most of a report's time.
+fn images(pictures: &[String]) -> Result<Vec<Vec<u8>>, report::ReportError> {
+    std::thread::scope(|scope| {
+        let drawn: Vec<_> = pictures
+            .iter()
+            .map(|picture| scope.spawn(|| report::png::render(picture, PNG_SCALE)))
+            .collect();
+        let image = |thread: std::thread::ScopedJoinHandle<'_, _>| {
+            thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        drawn.into_iter().map(image).collect()
+    })
 }
 
 /// A part of the page.

@@ -12,7 +12,7 @@ use super::search::Found;
 use super::spectrum::count;
 use super::sums::Scalars;
 use super::system::{Layout, System};
-use super::{ChiSquared, LikelihoodFit, Rival, goodness, noise_levels, uncertainty};
+use super::{ChiSquared, LikelihoodFit, ModeEstimate, Rival, goodness, noise_levels, uncertainty};
 use crate::{ReconstructError, Record, SharedModel};
 
 pub(super) fn conclude(
@@ -93,7 +93,6 @@ pub(super) fn conclude(
     Ok(LikelihoodFit {
         covariance: in_sensor_units(&covariance, units, &untied),
         model: model(&evaluation.system, units, &untied, period),
-        modes,
         feedthrough_sensors: untied.feedthrough,
         hold: layout.hold,
         hold_evidence,
@@ -111,8 +110,21 @@ pub(super) fn conclude(
         rivals: rivals
             .into_iter()
             .filter_map(|(above, system)| rival(above, &system.a, period))
+            .filter(|rival| !is_this(rival, &modes))
             .collect(),
+        modes,
     })
+}
+
+/// Whether a rival is the same system, which its search came less close to.
+fn is_this(rival: &Rival, modes: &[ModeEstimate]) -> bool {
+    // The search ends within a thousandth of a deviation, those of rivals within a tenth.
+    const CLOSE: f64 = 0.3;
+    rival.eigenvalues.len() == modes.len()
+        && rival.eigenvalues.iter().zip(modes).all(|(s, mode)| {
+            let deviation = mode.continuous.covariance.trace().sqrt();
+            (s - mode.continuous.value).norm() <= CLOSE * deviation
+        })
 }
 
 /// `None` where the eigenvalues cannot be computed: then nobody can be told of them.
