@@ -103,9 +103,23 @@ fn folders_with_other_things_are_not_touched() {
     let check = |folder: &Path| check_place(folder).map_err(|error| error.to_string());
     assert_eq!(check(&place.path().join("new")), Ok(()));
     assert_eq!(check(place.path()), Ok(()), "empty");
-    std::fs::write(place.path().join(PAGE), "old").expect("writable");
-    std::fs::write(place.path().join("order.svg"), "old").expect("writable");
+    let is_refused_for = |name: &str| {
+        let error = check(place.path()).expect_err("it is not ours");
+        assert!(error.contains(&format!("holds {name}, which is no part of a report")), "{error}");
+    };
+    std::fs::write(place.path().join("order.svg"), "dear").expect("writable");
+    is_refused_for("order.svg");
+    std::fs::create_dir(place.path().join(PAGE)).expect("writable");
+    is_refused_for("order.svg");
+    std::fs::remove_dir(place.path().join(PAGE)).expect("empty");
+    std::fs::write(place.path().join(PAGE), "<p>somebody's own</p>").expect("writable");
+    is_refused_for("order.svg");
+    let marked = "<meta name=\"generator\" content=\"transmode 0.0.1\">";
+    std::fs::write(place.path().join(PAGE), marked).expect("writable");
     assert_eq!(check(place.path()), Ok(()), "an older report");
+    std::fs::create_dir(place.path().join("order.png")).expect("writable");
+    is_refused_for("order.png");
+    std::fs::remove_dir(place.path().join("order.png")).expect("empty");
     std::fs::write(place.path().join("flight.csv"), "dear").expect("writable");
     let error = check(place.path()).expect_err("a record is in the folder");
     assert!(
@@ -123,4 +137,34 @@ fn folders_with_other_things_are_not_touched() {
     assert!(
         check(&place.path().join("none/out")).is_err_and(|error| error.starts_with("cannot write"))
     );
+}
+
+#[test]
+fn an_old_report_is_never_lost() {
+    let place = folder();
+    let out = place.path().join("out");
+    let write = |file: &Path, text: &str| {
+        std::fs::create_dir_all(file).expect("writable");
+        std::fs::write(file.join(PAGE), text).expect("writable");
+    };
+    let drafts = || {
+        let drafts = tempfile::tempdir_in(place.path()).expect("writable");
+        write(&drafts.path().join("new"), "new");
+        drafts
+    };
+    write(&out, "old");
+    let page = |folder: &Path| std::fs::read_to_string(folder.join(PAGE)).expect("a page");
+    // The new one cannot be put in place: the old one comes back, or stays where it is.
+    let error = folder::exchange(drafts(), &out, |from, to| match from.ends_with("new") {
+        true => Err(std::io::ErrorKind::PermissionDenied.into()),
+        false => std::fs::rename(from, to),
+    });
+    assert!(matches!(error, Err(CommandError::Write { .. })), "{error:?}");
+    assert_eq!((page(&out), names(place.path())), ("old".to_owned(), vec!["out".to_owned()]));
+    let error = folder::exchange(drafts(), &out, |from, to| match from == out {
+        true => std::fs::rename(from, to),
+        false => Err(std::io::ErrorKind::PermissionDenied.into()),
+    });
+    let Err(CommandError::NotRestored { kept, .. }) = error else { panic!("{error:?}") };
+    assert_eq!(page(&kept), "old");
 }
