@@ -59,7 +59,7 @@ impl fmt::Display for LoadWarning {
         match self {
             Self::Split { record, stretches, place } => write!(
                 f,
-                "gaps split {record} into {stretches} stretches, each a record of its own; the second starts at {place}"
+                "gaps split {record} into {stretches} stretches, which count as one record; the second starts at {place}"
             ),
             Self::LongestStretch { record, samples, total } => write!(
                 f,
