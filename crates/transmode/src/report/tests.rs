@@ -168,3 +168,55 @@ fn an_old_report_is_never_lost() {
     let Err(CommandError::NotRestored { kept, .. }) = error else { panic!("{error:?}") };
     assert_eq!(page(&kept), "old");
 }
+
+#[test]
+fn page_and_json_have_the_same_intervals() {
+    let place = folder();
+    let loaded = records("white_snr10");
+    let mut options = Options::default();
+    options.profile = true;
+    let result = reconstruct(&loaded.records, &options).expect("the records show modes");
+    let mut found = crate::modes::name(&result, &loaded.records[0]).expect("modes have names");
+    // In these records the two kinds of interval hardly differ; here they do.
+    for found in found.iter_mut().filter(|found| found.mode.mode.period_s.is_none()) {
+        let ends = found.mode.interval_95.as_mut().expect("the likelihood was looked at");
+        *ends = [ends[0] - (ends[1] - ends[0]), ends[1]];
+    }
+    let input = Input {
+        command: "transmode identify a.csv b.csv --report out",
+        records: &loaded.records,
+        sources: &loaded.sources,
+        warnings: &[],
+        options: &options,
+        result: &result,
+        found: &found,
+        flying: None,
+        progress: Progress::Hidden,
+    };
+    let out = place.path().join("out");
+    write(&out, &input).expect("a report is written");
+    let page = std::fs::read_to_string(out.join(PAGE)).expect("the page is there");
+    let number = |value: f64| report::format_significant(value, 3);
+    let mut differ = 0;
+    for found in found.iter().filter(|found| found.mode.mode.period_s.is_none()) {
+        // What JSON says.
+        let cell = found.time_constant_interval_95().map_or_else(
+            || "any sign".to_owned(),
+            |[low, high]| format!("{} to {}", number(low), number(high)),
+        );
+        assert!(page.contains(&format!(">{cell}</td>")), "{cell}");
+        assert_eq!(found.eigenvalue_interval_95(), found.mode.interval_95);
+        let estimate = found.mode.estimate.as_ref().expect("the method says it");
+        let first_order = estimate.time_constant_interval_95.map(|ends| ends.map(number));
+        differ += usize::from(
+            first_order != found.time_constant_interval_95().map(|ends| ends.map(number)),
+        );
+        let region = pole_map::ends(found).expect("a bar");
+        assert_eq!(Some(region), found.mode.interval_95, "the bar of the map");
+    }
+    assert!(differ > 0, "the test would not see the intervals of first order");
+    for words in ["Intervals of real modes are those of the likelihood", "; intervals are those of"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+}
