@@ -184,7 +184,7 @@ fn gaps_leave_the_stretches_between_them() {
     let text = |index: usize| json["warnings"][index]["text"].as_str().unwrap();
     assert_eq!(
         text(0),
-        "gaps split a.csv into 3 stretches, each a record of its own; the second starts at line 22"
+        "gaps split a.csv into 3 stretches, which count as one record; the second starts at line 22"
     );
     assert_eq!(
         text(1),

@@ -144,6 +144,34 @@ fn models_that_cannot_be() {
 }
 
 #[test]
+fn a_stretch_too_short_for_a_span_is_left_out_with_a_warning() {
+    let (folder, [reference, new, _]) = flights();
+    // Rows 60 and 2000 are missing: stretches of 60, 1939 and 1999 samples, of which the first has no span.
+    let text = std::fs::read_to_string(&new).unwrap();
+    let rows = text.lines().enumerate().filter(|(line, _)| ![61, 2001].contains(line));
+    let file = folder.file("gaps.csv", rows.map(|(_, row)| format!("{row}\n")).collect::<String>());
+    let words = ["monitor", "--reference", &reference, &file, "--false-alarms", "1e-5"];
+    let ran = transmode(&[&words[..], &["--json", "-"]].concat());
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""), "{}", ran.out);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    let names: Vec<&Value> =
+        found["records"].as_array().unwrap().iter().map(|record| &record["file"]).collect();
+    assert_eq!(names, ["gaps.csv#2", "gaps.csv#3"]);
+    let warnings = found["warnings"].as_array().unwrap();
+    let warning = warnings.iter().find(|warning| warning["code"] == "no-span").unwrap();
+    let text = warning["text"].as_str().unwrap();
+    let expected = "gaps.csv#1 was left out: its 60 samples are too few for one span, which takes ";
+    assert!(text.starts_with(expected), "{text}");
+    // Nothing is left to watch.
+    let short = std::fs::read_to_string(&new).unwrap();
+    let rows = short.lines().take(140).enumerate().filter(|(line, _)| *line != 70);
+    let file =
+        folder.file("short.csv", rows.map(|(_, row)| format!("{row}\n")).collect::<String>());
+    transmode(&["monitor", "--reference", &reference, &file])
+        .refused("short.csv#1: its 69 samples are too few for one span");
+}
+
+#[test]
 fn records_and_words_that_cannot_be() {
     let (folder, [reference, new, _]) = flights();
     let check = |words: &[&str], expected: &str| {

@@ -53,6 +53,81 @@ fn folders_with_other_things_are_refused_before_any_work() {
     assert_eq!(folder.names(), ["flight.csv"]);
 }
 
+/// Names that would be markup are text in the page and in every picture.
+#[test]
+fn hostile_names_stay_text() {
+    const SENSORS: [&str; 3] =
+        ["<script>alert('1')</script>", "p&amp;\"'><img src=x>", "`r` ]]> -->"];
+    let folder = Folder::new();
+    let quoted = SENSORS.map(|name| format!("\"{}\"", name.replace('"', "\"\"")));
+    let header = format!("time,{}\n", quoted.join(","));
+    let files = ["aileron", "rudder"].map(|surface| {
+        let text = std::fs::read_to_string(shipped(&format!("white_snr10_{surface}.csv"))).unwrap();
+        let (_, rows) = text.split_once('\n').unwrap();
+        let four = |row: &str| row.split(',').take(4).collect::<Vec<_>>().join(",") + "\n";
+        let rows: String = rows.lines().map(four).collect();
+        folder.file(&format!("<b>{surface}&\"`.csv"), header.clone() + &rows)
+    });
+    let out = folder.path("out");
+    let ran = transmode(&["identify", &files[0], &files[1], "--report", out.to_str().unwrap()]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    for markup in ["<script", "<img", "<b>", "&amp;\"", "&amp;amp;amp;"] {
+        assert!(!page.contains(markup), "{markup}");
+    }
+    let (start, end) = (page.find("<main>").unwrap(), page.find("</main>").unwrap());
+    let main = format!("{}</main>", &page[start..end]);
+    let document = roxmltree::Document::parse(&main).unwrap();
+    let texts: String = document
+        .descendants()
+        .filter(|node| node.is_text())
+        .filter_map(|node| node.text())
+        .collect();
+    // Back quotes are the page's own mark of code: they may go, what is between them stays.
+    for name in [SENSORS[0], SENSORS[1], "]]> -->", "<b>aileron&\"", "<b>rudder&\""] {
+        assert!(texts.contains(name), "{name}");
+    }
+    for name in document.descendants().filter(roxmltree::Node::is_element) {
+        assert!(!["script", "img", "b"].contains(&name.tag_name().name()));
+    }
+    let mut pictures = 0;
+    for entry in std::fs::read_dir(&out).unwrap() {
+        let file = entry.unwrap().path();
+        if file.extension().is_some_and(|extension| extension == "svg") {
+            let picture = std::fs::read_to_string(&file).unwrap();
+            let parsed = roxmltree::Document::parse(&picture);
+            assert!(parsed.is_ok(), "{}: {parsed:?}", file.display());
+            pictures += 1;
+        }
+    }
+    assert!(pictures > 5, "{pictures}");
+}
+
+#[test]
+fn a_place_that_cannot_be_written_leaves_nothing() {
+    let folder = Folder::new();
+    let files = ["white_snr10_aileron.csv", "white_snr10_rudder.csv"].map(shipped);
+    let json = folder.path("modes.json");
+    let refuses = |place: &Path| {
+        let words = ["identify", &files[0], &files[1], "--outputs", "beta,p,r", "--json"];
+        let more = [json.to_str().unwrap(), "--report", place.to_str().unwrap()];
+        transmode(&[&words[..], &more].concat()).refused("cannot write");
+    };
+    let file = PathBuf::from(folder.file("file", "dear"));
+    for place in [folder.path("none/out"), file.clone(), file.join("out")] {
+        refuses(&place);
+        assert_eq!(folder.names(), ["file"]);
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "dear");
+    // A folder that is there, but takes no files from anybody: the fault comes at the end of all work.
+    let closed = Path::new("/proc/self");
+    if cfg!(target_os = "linux") && closed.is_dir() {
+        refuses(&closed.join("transmode-report"));
+        assert_eq!(folder.names(), ["file"]);
+    }
+}
+
 #[test]
 fn the_page_opens_from_disk_and_asks_for_nothing() {
     let Some(browser) = Browser::find() else { return };

@@ -1,7 +1,7 @@
 //! Which sensors may be at fault: a faulty one is seen by all transmissibilities that contain it, and by no other.
 
 use crate::statistics::at_least;
-use crate::{Detector, Window};
+use crate::{Detector, TestKind, Window};
 
 /// A transmissibility that exceeds its limits as often as this by chance counts as healthy.
 const BY_CHANCE: f64 = 1e-3;
@@ -22,7 +22,7 @@ pub(crate) fn raised(detector: &Detector, windows: &[&Window]) -> Vec<bool> {
         .collect();
     // A fault that only all of them together can see is most likely where it is largest.
     if let Some(window) = windows.first().filter(|_| !raised.contains(&true)) {
-        raised[farthest(window)] = true;
+        raised[farthest_of_alarm(window)] = true;
     }
     raised
 }
@@ -49,9 +49,21 @@ pub(crate) fn suspects(detector: &Detector, raised: &[bool]) -> Vec<usize> {
     exact
 }
 
-/// The transmissibility whose level is farthest off in this window.
-pub(crate) fn farthest(window: &Window) -> usize {
-    let size = |link: &(usize, &[f64; 2])| link.1[0].abs();
+/// The transmissibility that is farthest off in what the window's alarm is about.
+fn farthest_of_alarm(window: &Window) -> usize {
+    farthest(window, window.alarm().map_or(TestKind::Level, |(kind, _)| kind))
+}
+
+/// The transmissibility that is farthest off in this window in what that test looks at.
+pub(crate) fn farthest(window: &Window, kind: TestKind) -> usize {
+    let place = match kind {
+        TestKind::Level => 0,
+        TestKind::Spread => 1,
+    };
+    let size = |link: &(usize, &[f64; 2])| link.1[place].abs();
     let links = window.deviations.iter().enumerate();
     links.max_by(|a, b| size(a).total_cmp(&size(b))).map_or(0, |(link, _)| link)
 }
+
+#[cfg(test)]
+mod tests;

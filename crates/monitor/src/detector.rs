@@ -127,7 +127,7 @@ impl Detector {
         self.options
     }
 
-    /// How many healthy windows the limits rest on.
+    /// How many healthy windows the limits rest on: all but the first of each stretch, which has none before it to be compared with.
     #[must_use]
     pub fn healthy_windows(&self) -> usize {
         self.level.observations()

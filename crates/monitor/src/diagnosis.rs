@@ -78,8 +78,10 @@ impl Detector {
         let (change, suspects) = match frozen {
             Some(channel) => (Change::Freeze, vec![channel]),
             None => {
-                let change = spread_change(&since)
-                    .unwrap_or_else(|| level_change(windows, first_alarm, farthest(since[0])));
+                let change = spread_change(&since).unwrap_or_else(|| {
+                    let link = farthest(since[0], TestKind::Level);
+                    level_change(windows, first_alarm, link)
+                });
                 (change, suspects(self, &raised))
             }
         };

@@ -30,10 +30,6 @@
 //! | [`Detector::calibrate`] | limits from healthy records |
 //! | [`Detector::watch`] | the tests of each window of new data |
 //! | [`Detector::diagnose`] | which sensor, and what kind of change |
-#![cfg_attr(
-    test,
-    expect(clippy::float_cmp, reason = "tests compare with exact values where they use ==")
-)]
 
 mod attribution;
 mod detector;

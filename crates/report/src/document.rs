@@ -141,6 +141,9 @@ impl From<Figure> for Block {
 pub struct Document {
     /// Title of the page.
     pub title: String,
+    /// The program that wrote it and its version, for the head of a page.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub generator: Option<String>,
     /// Parts in reading order.
     pub blocks: Vec<Block>,
 }
@@ -148,7 +151,14 @@ pub struct Document {
 impl Document {
     /// An empty document.
     pub fn new(title: impl Into<String>) -> Self {
-        Self { title: title.into(), blocks: Vec::new() }
+        Self { title: title.into(), generator: None, blocks: Vec::new() }
+    }
+
+    /// Says which program writes the document.
+    #[must_use]
+    pub fn generator(mut self, program: impl Into<String>) -> Self {
+        self.generator = Some(program.into());
+        self
     }
 
     /// Adds a block at the end.

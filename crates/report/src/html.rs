@@ -40,10 +40,13 @@ pub fn render(document: &Document) -> Result<String, ReportError> {
         anchors.push(figure.id.clone());
     }
     let title = escape(&document.title);
+    let generator = document.generator.as_ref().map_or_else(String::new, |program| {
+        format!("<meta name=\"generator\" content=\"{}\">\n", escape(program))
+    });
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n{generator}<title>{title}</title>\n\
          <style>\n{}{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n",
         include_str!("html/page.css"),
         dark_pictures(),

@@ -39,6 +39,19 @@ pub enum CommandError {
         /// The file.
         file: PathBuf,
     },
+    /// What was there before a fault and could not be put back.
+    #[error(
+        "cannot put {} back after another fault: {source}; it is kept as {}",
+        file.display(), kept.display()
+    )]
+    NotRestored {
+        /// The file or folder.
+        file: PathBuf,
+        /// Where it is now.
+        kept: PathBuf,
+        /// What the operating system says.
+        source: std::io::Error,
+    },
     /// A result that would replace the record it comes from.
     #[error("{} is the record itself; write the result to another file", file.display())]
     OverwritesRecord {

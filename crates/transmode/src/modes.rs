@@ -19,6 +19,17 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    /// The 95 % interval of a real mode's eigenvalue in 1/s: from the likelihood where that was looked at, otherwise from the deviation. An end may be infinite.
+    pub(crate) fn eigenvalue_interval_95(&self) -> Option<[f64; 2]> {
+        let around = || {
+            let reach = NORMAL_95 * self.mode.estimate.as_ref()?.continuous.real_deviation();
+            let at = self.mode.mode.eigenvalue.re;
+            Some([at - reach, at + reach])
+        };
+        let is_real = self.mode.mode.period_s.is_none();
+        self.mode.interval_95.or_else(around).filter(|_| is_real)
+    }
+
     /// The 95 % interval of a real mode's time constant in s: from the likelihood where that was looked at, otherwise from the deviation. `None` where
     /// that of the eigenvalue contains zero.
     pub(crate) fn time_constant_interval_95(&self) -> Option<[f64; 2]> {
@@ -29,6 +40,9 @@ impl Found {
         }
     }
 }
+
+/// The normal distribution holds 95 % within this many deviations.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
 
 fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
     [a.min(b), a.max(b)]

@@ -61,11 +61,27 @@ pub(crate) fn run(
     let Loaded { records, sources, warnings: more, .. } =
         records::load(&args.files.files, &options, progress)?;
     warnings.extend(more);
-    let mut watched = Vec::new();
+    let (mut watched, mut short) = (Vec::new(), Vec::new());
     for (record, source) in records.iter().zip(&sources) {
         reference.check(record)?;
-        watched.push(watch(&reference.detector, record, source.span_s[0])?);
+        match watch(&reference.detector, record, source.span_s[0])? {
+            Some(found) => watched.push(found),
+            None => short.push(record),
+        }
     }
+    let needed = reference.detector.margin() + reference.detector.options().window;
+    if let (true, Some(first)) = (watched.is_empty(), short.first()) {
+        let message = format!(
+            "its {} samples are too few for one span, which takes {needed}; give a longer record or a shorter --span",
+            first.samples()
+        );
+        return Err(CommandError::InFile { file: first.name().into(), message });
+    }
+    warnings.extend(short.into_iter().map(|record| LoadWarning::NoSpan {
+        record: record.name().to_owned(),
+        samples: record.samples(),
+        needed,
+    }));
     let found = Found { reference, watched, warnings };
 
     // The file first: if it cannot be written, nothing has been said yet.
@@ -80,18 +96,19 @@ pub(crate) fn run(
     Ok(if found.watched.iter().any(is_alarm) { Exit::Doubtful } else { Exit::Fine })
 }
 
-fn watch(detector: &Detector, record: &Record, start_s: f64) -> Result<Watched, CommandError> {
+/// `None` where the record is too short for a span.
+fn watch(
+    detector: &Detector,
+    record: &Record,
+    start_s: f64,
+) -> Result<Option<Watched>, CommandError> {
     let fault = |message: String| CommandError::InFile { file: record.name().into(), message };
     let stretches = [reference::stretch(record)];
     let windows = detector.watch(&stretches).map_err(|error| fault(error.to_string()))?;
     if windows.is_empty() {
-        let needed = detector.margin() + detector.options().window;
-        return Err(fault(format!(
-            "its {} samples are too few for one span, which takes {needed}; give a longer record or a shorter --span",
-            record.samples()
-        )));
+        return Ok(None);
     }
     let diagnosis =
         detector.diagnose(&windows, &stretches).map_err(|error| fault(error.to_string()))?;
-    Ok(Watched { name: record.name().to_owned(), start_s, windows, diagnosis })
+    Ok(Some(Watched { name: record.name().to_owned(), start_s, windows, diagnosis }))
 }

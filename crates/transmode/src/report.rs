@@ -35,6 +35,9 @@ pub(crate) use folder::check_place;
 /// The page's name in the folder.
 const PAGE: &str = "report.html";
 
+/// What the page says it was made by, before the version.
+const PROGRAM: &str = "transmode";
+
 /// What the figures are called, in the order of the page.
 const FIGURES: [&str; 8] = [
     pole_map::ID,
@@ -75,7 +78,8 @@ pub(crate) struct Input<'a> {
 /// [`CommandError::Write`] and [`CommandError::NotAReport`] for the folder, [`CommandError::Report`] where a figure cannot be drawn.
 pub(crate) fn write(folder: &Path, input: &Input<'_>) -> Result<(), CommandError> {
     let working = input.progress.work("report");
-    let mut document = Document::new("Modes from sensor records");
+    let mut document = Document::new("Modes from sensor records")
+        .generator(format!("{PROGRAM} {}", env!("CARGO_PKG_VERSION")));
     for section in SECTIONS {
         section(input)?.into_iter().for_each(|block| document.push(block));
         working.tick();

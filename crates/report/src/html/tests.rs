@@ -106,3 +106,10 @@ fn a_heading_never_takes_the_anchor_of_a_figure() {
     let page = render(&Document::new("t").with(Block::section("Map")).with(figure("map"))).unwrap();
     assert!(page.contains("<h2 id=\"map-2\">"), "{page}");
 }
+
+#[test]
+fn the_head_says_which_program_wrote_the_page() {
+    assert!(!page().contains("generator"));
+    let page = render(&Document::new("Modes").generator("it \"&\" 1.0")).unwrap();
+    assert!(page.contains("<meta name=\"generator\" content=\"it &quot;&amp;&quot; 1.0\">\n"));
+}

@@ -43,7 +43,7 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_delimiter = ',', value_name = "SENSOR,..", default_value = "beta,p,r", value_parser = Sensor::parse)]
     pub(crate) outputs: Vec<Sensor>,
 
-    /// White noise of each sensor: snr=RATIO of root mean squares; or deviations, as beta=0.001,p=0.002, in rad and rad/s; or none.
+    /// White noise of each sensor: snr=RATIO of standard deviations, that of the response as the mean over the records; or deviations, as beta=0.001,p=0.002, in rad and rad/s; or none.
     #[arg(long, default_value = "snr=100", value_name = "NOISE", value_parser = Noise::parse)]
     pub(crate) noise: Noise,
 

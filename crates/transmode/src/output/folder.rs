@@ -1,7 +1,9 @@
 //! Several files in a folder: all of them, or none.
 
-use std::io::Write;
+use std::io::{Error, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+use tempfile::{NamedTempFile, TempDir};
 
 use super::draft_in;
 use crate::CommandError;
@@ -24,7 +26,7 @@ pub(crate) fn check_folder(
     overwrite: Overwrite,
 ) -> Result<(), CommandError> {
     if folder.exists() && !folder.is_dir() {
-        let source = std::io::ErrorKind::NotADirectory.into();
+        let source = ErrorKind::NotADirectory.into();
         return Err(CommandError::Write { file: folder.to_owned(), source });
     }
     for name in names {
@@ -37,13 +39,14 @@ pub(crate) fn check_folder(
     Ok(())
 }
 
-/// Writes all files beside their places, then puts them there; what was put there before a fault is taken away again.
+/// Writes all files beside their places, then puts them there.
 ///
-/// The folder is made if it is not there; the one above must be.
+/// After a fault the folder is as it was: what was put there is taken away again, and what it replaced comes back. The folder is made if it is not there; the
+/// one above must be.
 ///
 /// # Errors
 ///
-/// [`CommandError::Exists`], [`CommandError::Write`].
+/// [`CommandError::Exists`], [`CommandError::Write`]; [`CommandError::NotRestored`] where a file that was there cannot be put back.
 pub(crate) fn write_folder(
     folder: &Path,
     files: &[(String, Vec<u8>)],
@@ -55,49 +58,106 @@ pub(crate) fn write_folder(
         Err(source) => return Err(CommandError::Write { file: folder.to_owned(), source }),
     };
     let mut placed = Vec::new();
-    let written = place(folder, files, overwrite, &mut placed);
-    if written.is_err() {
-        for file in placed {
-            let _ = std::fs::remove_file(file);
+    let written = prepare(folder, files).and_then(|prepared| {
+        let result = prepared.drafts.into_iter().enumerate().try_for_each(|(index, draft)| {
+            place(draft, &prepared.old.path().join(index.to_string()), overwrite, &mut placed)
+        });
+        match result {
+            Ok(()) => Ok(()),
+            Err(error) => Err(undo(&placed, prepared.old, error)),
         }
-        if is_new {
-            let _ = std::fs::remove_dir(folder);
-        }
+    });
+    if written.is_err() && is_new {
+        let _ = std::fs::remove_dir(folder);
     }
     written
 }
 
-/// Keeps in `placed` the files that were not there before.
-fn place(
-    folder: &Path,
-    files: &[(String, Vec<u8>)],
-    overwrite: Overwrite,
-    placed: &mut Vec<PathBuf>,
-) -> Result<(), CommandError> {
+/// All files beside their places, and a folder for those that they replace.
+struct Prepared {
+    drafts: Vec<Draft>,
+    old: TempDir,
+}
+
+struct Draft {
+    file: PathBuf,
+    text: NamedTempFile,
+}
+
+/// A file that may be in its place, and where the one before it was moved, if there was one.
+struct Placed {
+    file: PathBuf,
+    before: Option<PathBuf>,
+    is_written: bool,
+}
+
+fn prepare(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<Prepared, CommandError> {
     let mut drafts = Vec::new();
     for (name, bytes) in files {
         let file = folder.join(name);
         let fault = |source| CommandError::Write { file: file.clone(), source };
-        let mut draft = draft_in(folder).map_err(fault)?;
-        draft.as_file_mut().write_all(bytes).map_err(fault)?;
-        draft.as_file().sync_all().map_err(fault)?;
-        drafts.push((file, draft));
+        let mut text = draft_in(folder).map_err(fault)?;
+        text.as_file_mut().write_all(bytes).map_err(fault)?;
+        text.as_file().sync_all().map_err(fault)?;
+        drafts.push(Draft { file, text });
     }
-    for (file, draft) in drafts {
-        let was_there = file.exists();
-        let result = match overwrite {
-            Overwrite::Allowed => draft.persist(&file),
-            Overwrite::Refused => draft.persist_noclobber(&file),
-        };
-        result.map_err(|error| match error.error.kind() {
-            std::io::ErrorKind::AlreadyExists => CommandError::Exists { file: file.clone() },
-            _ => CommandError::Write { file: file.clone(), source: error.error },
-        })?;
-        if !was_there {
-            placed.push(file);
+    let old = tempfile::Builder::new()
+        .prefix(".transmode-")
+        .tempdir_in(folder)
+        .map_err(|source| CommandError::Write { file: folder.to_owned(), source })?;
+    Ok(Prepared { drafts, old })
+}
+
+/// Moves what is in the draft's place to `aside`, where that is allowed, and puts the draft there.
+fn place(
+    draft: Draft,
+    aside: &Path,
+    overwrite: Overwrite,
+    placed: &mut Vec<Placed>,
+) -> Result<(), CommandError> {
+    let Draft { file, text } = draft;
+    let fault = |source: Error| match source.kind() {
+        ErrorKind::AlreadyExists => CommandError::Exists { file: file.clone() },
+        _ => CommandError::Write { file: file.clone(), source },
+    };
+    let before = match file.symlink_metadata() {
+        Ok(metadata) if overwrite == Overwrite::Refused || metadata.is_dir() => {
+            return Err(CommandError::Exists { file });
         }
+        Ok(_) => {
+            std::fs::rename(&file, aside).map_err(fault)?;
+            Some(aside.to_owned())
+        }
+        Err(_) => None,
+    };
+    placed.push(Placed { file: file.clone(), before, is_written: false });
+    text.persist_noclobber(&file).map_err(|error| fault(error.error))?;
+    if let Some(last) = placed.last_mut() {
+        last.is_written = true;
     }
     Ok(())
+}
+
+/// Takes away what was put in place and brings back what was there; the error is `error`, unless a file stays where it was moved.
+fn undo(placed: &[Placed], old: TempDir, error: CommandError) -> CommandError {
+    let mut lost = None;
+    for Placed { file, before, is_written } in placed.iter().rev() {
+        let result = match before {
+            Some(before) => std::fs::rename(before, file),
+            None if *is_written => std::fs::remove_file(file),
+            None => Ok(()),
+        };
+        if let (Err(source), Some(before)) = (result, before) {
+            lost = Some((file.clone(), before.clone(), source));
+        }
+    }
+    match lost {
+        Some((file, kept, source)) => {
+            let _ = old.keep();
+            CommandError::NotRestored { file, kept, source }
+        }
+        None => error,
+    }
 }
 
 #[cfg(test)]

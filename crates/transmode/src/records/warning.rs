@@ -32,6 +32,13 @@ pub(crate) enum LoadWarning {
     },
     /// A measured input that rests at zero in a record.
     IdleInput { record: String, column: String },
+    /// A record in which `monitor` finds no span.
+    NoSpan {
+        record: String,
+        samples: usize,
+        /// Samples that one span takes.
+        needed: usize,
+    },
 }
 
 impl LoadWarning {
@@ -42,6 +49,7 @@ impl LoadWarning {
             Self::ShortStretches { .. } => "short-stretches",
             Self::LongestStretch { .. } => "longest-stretch",
             Self::IdleInput { .. } => "idle-input",
+            Self::NoSpan { .. } => "no-span",
         }
     }
 }
@@ -51,7 +59,7 @@ impl fmt::Display for LoadWarning {
         match self {
             Self::Split { record, stretches, place } => write!(
                 f,
-                "gaps split {record} into {stretches} stretches, each a record of its own; the second starts at {place}"
+                "gaps split {record} into {stretches} stretches, which count as one record; the second starts at {place}"
             ),
             Self::LongestStretch { record, samples, total } => write!(
                 f,
@@ -63,6 +71,10 @@ impl fmt::Display for LoadWarning {
                     "the known input {column} rests at zero in {record} and is left out there"
                 )
             }
+            Self::NoSpan { record, samples, needed } => write!(
+                f,
+                "{record} was left out: its {samples} samples are too few for one span, which takes {needed}"
+            ),
             Self::ShortStretches { record, count, samples } => {
                 let (noun, verb) =
                     if *count == 1 { ("stretch", "was") } else { ("stretches", "were") };

@@ -67,6 +67,10 @@ fn explanation(input: &Input<'_>) -> String {
     } else {
         "This method gives no deviations; maximum likelihood does."
     };
+    let of_real = match input.found.iter().any(|found| found.mode.interval_95.is_some()) {
+        true => " Intervals of real modes are those of the likelihood, and need not be symmetric.",
+        false => "",
+    };
     let levels = match input.flying {
         Some((class, category)) => format!(
             "Levels are those of MIL-F-8785C for class {class} and flight-phase category {category}: 1 is clearly adequate, 2 adequate with more work for \
@@ -74,7 +78,7 @@ fn explanation(input: &Input<'_>) -> String {
         ),
         None => "Flying-quality levels need `--aircraft-class` and `--flight-phase`.".to_owned(),
     };
-    format!("{deviations} {levels}")
+    format!("{deviations}{of_real} {levels}")
 }
 
 fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
@@ -120,12 +124,10 @@ fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
 /// The 95 % interval of the time constant of a real mode.
 fn interval(found: &Found) -> String {
     let number = |value: f64| format_significant(value, 3);
-    let Some(estimate) =
-        found.mode.estimate.as_ref().filter(|_| found.mode.mode.period_s.is_none())
-    else {
+    if found.eigenvalue_interval_95().is_none() {
         return "-".to_owned();
-    };
-    match estimate.time_constant_interval_95 {
+    }
+    match found.time_constant_interval_95() {
         Some([low, high]) => format!("{} to {}", number(low), number(high)),
         None => "any sign".to_owned(),
     }
@@ -146,9 +148,18 @@ fn with_deviation(value: f64, deviation: f64) -> String {
 /// The level, and in brackets the best and the worst within the 95 % region where they differ.
 fn levels(found: &Found, class: AircraftClass, category: FlightPhaseCategory) -> String {
     const AROUND: u32 = 32;
+    const FAR: f64 = 1e3;
     let Some(here) = level(&found.named, class, category) else { return "-".to_owned() };
     let mut all = vec![here];
-    if let Some(estimate) = &found.mode.estimate {
+    if let Some([low, high]) = found.eigenvalue_interval_95() {
+        // Levels of real modes have limits on one side, so the ends say all; far out stands for no end.
+        let far = FAR * found.named.eigenvalue.norm();
+        for end in [low.max(-far), high.min(far)] {
+            let mut moved = found.named;
+            moved.eigenvalue.re = end;
+            all.extend(level(&moved, class, category));
+        }
+    } else if let Some(estimate) = &found.mode.estimate {
         let ellipse = estimate.continuous.ellipse_95();
         for step in 0..AROUND {
             let angle = TAU * f64::from(step) / f64::from(AROUND);

@@ -35,11 +35,19 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     let ((x, y), clusters) = (whole(&points), clusters(&regions));
     let title = if clusters.is_empty() { String::new() } else { "all".to_owned() };
     let all = fill(empty(title)).zoom(x, y).with(Notes::new(names));
-    let caption = if regions.is_empty() {
-        "Upper half of the s-plane; stable modes lie left of the vertical line. This method gives no regions."
-    } else {
-        "Upper half of the s-plane, and each mode under the magnifying glass. An ellipse, and for a real mode an interval, holds the eigenvalue with 95 %. \
-         Stable modes lie left of the vertical line."
+    let is_profiled = input.found.iter().any(|found| found.mode.interval_95.is_some());
+    let caption = match (regions.is_empty(), is_profiled) {
+        (true, _) => {
+            "Upper half of the s-plane; stable modes lie left of the vertical line. This method gives no regions."
+        }
+        (false, true) => {
+            "Upper half of the s-plane, and each mode under the magnifying glass. An ellipse, and for a real mode an interval, holds the eigenvalue with \
+             95 %; intervals are those of the likelihood and need not be symmetric. Stable modes lie left of the vertical line."
+        }
+        (false, false) => {
+            "Upper half of the s-plane, and each mode under the magnifying glass. An ellipse, and for a real mode an interval, holds the eigenvalue with \
+             95 %. Stable modes lie left of the vertical line."
+        }
     };
     let mut figure = Figure::new(ID, "Eigenvalues in the s-plane", caption)
         .columns(if clusters.is_empty() { 1 } else { 2 })
@@ -73,40 +81,49 @@ fn whole(points: &[Complex<f64>]) -> ((f64, f64), (f64, f64)) {
 struct Region {
     name: String,
     center: Complex<f64>,
-    /// The longer half axis, positive.
+    /// The longer half axis, or the distance to the farther end, positive.
     reach: f64,
-    ellipse: Option<Ellipse>,
+    shape: Shape,
+}
+
+#[derive(Clone, Copy)]
+enum Shape {
+    Ellipse(Ellipse),
+    /// From the lowest to the highest real part.
+    Interval([f64; 2]),
 }
 
 impl Region {
     /// `None` where the method or the records say nothing.
     fn of(found: &Found) -> Option<Self> {
-        let estimate = found.mode.estimate.as_ref()?;
         let center = at(found);
-        let (reach, ellipse) = if center.im > 0.0 {
-            let ellipse = estimate.continuous.ellipse_95();
+        let (reach, shape) = if center.im > 0.0 {
+            let ellipse = found.mode.estimate.as_ref()?.continuous.ellipse_95();
             let drawn = Ellipse {
                 center: (center.re, center.im),
                 semi_axes: (ellipse.major, ellipse.minor),
                 angle_rad: ellipse.angle_rad,
             };
-            (ellipse.major, Some(drawn))
+            (ellipse.major, Shape::Ellipse(drawn))
         } else {
-            // One number has an interval.
-            const NORMAL_95: f64 = 1.959_963_984_540_054;
-            (NORMAL_95 * estimate.continuous.real_deviation(), None)
+            // One number has an interval. Where that has no end, it leaves the panel.
+            const FAR: f64 = 1e3;
+            let ends = found.eigenvalue_interval_95()?;
+            let distances = ends.map(|end| (end - center.re).abs());
+            let reach = distances.into_iter().filter(|d| d.is_finite()).fold(0.0, f64::max);
+            let far = FAR * reach.max(center.norm());
+            (reach, Shape::Interval(ends.map(|end| end.clamp(center.re - far, center.re + far))))
         };
         let usable = reach.is_finite() && reach > 1e-12 * center.norm();
-        usable.then(|| Self { name: found.named.name.to_string(), center, reach, ellipse })
+        usable.then(|| Self { name: found.named.name.to_string(), center, reach, shape })
     }
 
     fn draw(&self, panel: Panel) -> Panel {
-        match self.ellipse {
-            Some(ellipse) => panel
+        match self.shape {
+            Shape::Ellipse(ellipse) => panel
                 .with(Ellipses::new("95 % ellipse", Dash::Solid, [ellipse]).ink(Ink::Vermillion)),
-            None => {
-                let (re, im) = (self.center.re, self.center.im);
-                let ends = [(re - self.reach, im), (re + self.reach, im)];
+            Shape::Interval(ends) => {
+                let ends = ends.map(|end| (end, self.center.im));
                 panel.with(Line::new("95 % interval", Dash::Solid, ends).ink(Ink::Green).width(3.0))
             }
         }
@@ -146,5 +163,14 @@ fn cluster(group: &[&Region]) -> Cluster {
         names: names.join(" and "),
         center: Complex::new(0.5 * (left + right), 0.5 * (bottom + top)),
         half: 0.5 * REACH * (right - left).max(top - bottom),
+    }
+}
+
+/// The ends of the bar that is drawn for a real mode.
+#[cfg(test)]
+pub(super) fn ends(found: &Found) -> Option<[f64; 2]> {
+    match Region::of(found)?.shape {
+        Shape::Interval(ends) => Some(ends),
+        Shape::Ellipse(_) => None,
     }
 }

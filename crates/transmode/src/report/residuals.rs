@@ -115,7 +115,7 @@ fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<
     }
     let mut figure =
         Figure::new(WHITENESS_ID, "Whiteness of the residuals", caption).columns(2).with(cumulated);
-    figure.panels.extend(autocorrelations(input));
+    figure.panels.extend(autocorrelations(input, fits));
     Some(figure.into())
 }
 
@@ -136,13 +136,22 @@ fn cumulate(fit: &SpectralFit) -> Vec<(f64, f64)> {
     points
 }
 
-fn autocorrelations(input: &Input<'_>) -> Option<Panel> {
+/// Real numbers in the residuals at the frequencies used: one for each sensor but one at zero and at the Nyquist frequency, two at others. One over it is the
+/// variance of an autocorrelation of white noise.
+fn numbers(fit: &SpectralFit, period_s: f64) -> f64 {
+    let nyquist_rad_s = std::f64::consts::PI / period_s;
+    let is_real = |w: f64| w < 1e-9 * nyquist_rad_s || w > (1.0 - 1e-9) * nyquist_rad_s;
+    let weight = |w: &f64| if is_real(*w) { 1.0 } else { 2.0 };
+    let weights: f64 = fit.frequencies_rad_s.iter().map(weight).sum();
+    weights * coordinate(fit.sensors.len() - 1)
+}
+
+fn autocorrelations(input: &Input<'_>, fits: &[SpectralFit]) -> Option<Panel> {
     let tests = input.result.whiteness.get(..input.result.whiteness.len().min(LARGEST_RECORDS))?;
     let lags =
         tests.iter().map(|test| test.autocorrelations.len()).max().filter(|lags| *lags > 0)?;
-    let size =
-        |record: &reconstruct::Record| coordinate((record.channels().len() - 1) * record.samples());
-    let least = input.records.iter().map(size).fold(f64::INFINITY, f64::min).max(1.0);
+    let sizes = fits.iter().zip(input.records).map(|(fit, of)| numbers(fit, of.period().seconds()));
+    let least = sizes.fold(f64::INFINITY, f64::min).max(1.0);
     let bound = NORMAL_95 / least.sqrt();
     let all = tests.iter().flat_map(|test| &test.autocorrelations);
     let largest = all.fold(1.5 * bound, |largest, value| f64::max(largest, value.abs()));
@@ -170,3 +179,6 @@ fn autocorrelations(input: &Input<'_>) -> Option<Panel> {
     }
     Some(panel)
 }
+
+#[cfg(test)]
+mod tests;

@@ -103,9 +103,23 @@ fn folders_with_other_things_are_not_touched() {
     let check = |folder: &Path| check_place(folder).map_err(|error| error.to_string());
     assert_eq!(check(&place.path().join("new")), Ok(()));
     assert_eq!(check(place.path()), Ok(()), "empty");
-    std::fs::write(place.path().join(PAGE), "old").expect("writable");
-    std::fs::write(place.path().join("order.svg"), "old").expect("writable");
+    let is_refused_for = |name: &str| {
+        let error = check(place.path()).expect_err("it is not ours");
+        assert!(error.contains(&format!("holds {name}, which is no part of a report")), "{error}");
+    };
+    std::fs::write(place.path().join("order.svg"), "dear").expect("writable");
+    is_refused_for("order.svg");
+    std::fs::create_dir(place.path().join(PAGE)).expect("writable");
+    is_refused_for("order.svg");
+    std::fs::remove_dir(place.path().join(PAGE)).expect("empty");
+    std::fs::write(place.path().join(PAGE), "<p>somebody's own</p>").expect("writable");
+    is_refused_for("order.svg");
+    let marked = "<meta name=\"generator\" content=\"transmode 0.0.1\">";
+    std::fs::write(place.path().join(PAGE), marked).expect("writable");
     assert_eq!(check(place.path()), Ok(()), "an older report");
+    std::fs::create_dir(place.path().join("order.png")).expect("writable");
+    is_refused_for("order.png");
+    std::fs::remove_dir(place.path().join("order.png")).expect("empty");
     std::fs::write(place.path().join("flight.csv"), "dear").expect("writable");
     let error = check(place.path()).expect_err("a record is in the folder");
     assert!(
@@ -123,4 +137,86 @@ fn folders_with_other_things_are_not_touched() {
     assert!(
         check(&place.path().join("none/out")).is_err_and(|error| error.starts_with("cannot write"))
     );
+}
+
+#[test]
+fn an_old_report_is_never_lost() {
+    let place = folder();
+    let out = place.path().join("out");
+    let write = |file: &Path, text: &str| {
+        std::fs::create_dir_all(file).expect("writable");
+        std::fs::write(file.join(PAGE), text).expect("writable");
+    };
+    let drafts = || {
+        let drafts = tempfile::tempdir_in(place.path()).expect("writable");
+        write(&drafts.path().join("new"), "new");
+        drafts
+    };
+    write(&out, "old");
+    let page = |folder: &Path| std::fs::read_to_string(folder.join(PAGE)).expect("a page");
+    // The new one cannot be put in place: the old one comes back, or stays where it is.
+    let error = folder::exchange(drafts(), &out, |from, to| match from.ends_with("new") {
+        true => Err(std::io::ErrorKind::PermissionDenied.into()),
+        false => std::fs::rename(from, to),
+    });
+    assert!(matches!(error, Err(CommandError::Write { .. })), "{error:?}");
+    assert_eq!((page(&out), names(place.path())), ("old".to_owned(), vec!["out".to_owned()]));
+    let error = folder::exchange(drafts(), &out, |from, to| match from == out {
+        true => std::fs::rename(from, to),
+        false => Err(std::io::ErrorKind::PermissionDenied.into()),
+    });
+    let Err(CommandError::NotRestored { kept, .. }) = error else { panic!("{error:?}") };
+    assert_eq!(page(&kept), "old");
+}
+
+#[test]
+fn page_and_json_have_the_same_intervals() {
+    let place = folder();
+    let loaded = records("white_snr10");
+    let mut options = Options::default();
+    options.profile = true;
+    let result = reconstruct(&loaded.records, &options).expect("the records show modes");
+    let mut found = crate::modes::name(&result, &loaded.records[0]).expect("modes have names");
+    // In these records the two kinds of interval hardly differ; here they do.
+    for found in found.iter_mut().filter(|found| found.mode.mode.period_s.is_none()) {
+        let ends = found.mode.interval_95.as_mut().expect("the likelihood was looked at");
+        *ends = [ends[0] - (ends[1] - ends[0]), ends[1]];
+    }
+    let input = Input {
+        command: "transmode identify a.csv b.csv --report out",
+        records: &loaded.records,
+        sources: &loaded.sources,
+        warnings: &[],
+        options: &options,
+        result: &result,
+        found: &found,
+        flying: None,
+        progress: Progress::Hidden,
+    };
+    let out = place.path().join("out");
+    write(&out, &input).expect("a report is written");
+    let page = std::fs::read_to_string(out.join(PAGE)).expect("the page is there");
+    let number = |value: f64| report::format_significant(value, 3);
+    let mut differ = 0;
+    for found in found.iter().filter(|found| found.mode.mode.period_s.is_none()) {
+        // What JSON says.
+        let cell = found.time_constant_interval_95().map_or_else(
+            || "any sign".to_owned(),
+            |[low, high]| format!("{} to {}", number(low), number(high)),
+        );
+        assert!(page.contains(&format!(">{cell}</td>")), "{cell}");
+        assert_eq!(found.eigenvalue_interval_95(), found.mode.interval_95);
+        let estimate = found.mode.estimate.as_ref().expect("the method says it");
+        let first_order = estimate.time_constant_interval_95.map(|ends| ends.map(number));
+        differ += usize::from(
+            first_order != found.time_constant_interval_95().map(|ends| ends.map(number)),
+        );
+        let region = pole_map::ends(found).expect("a bar");
+        assert_eq!(Some(region), found.mode.interval_95, "the bar of the map");
+    }
+    assert!(differ > 0, "the test would not see the intervals of first order");
+    for words in ["Intervals of real modes are those of the likelihood", "; intervals are those of"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
 }

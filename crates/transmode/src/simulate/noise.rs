@@ -7,7 +7,7 @@ use super::Sensor;
 pub(crate) enum Noise {
     /// None at all.
     Absent,
-    /// Ratio of the root mean square of the response to that of the noise, for each sensor.
+    /// Ratio of the response's standard deviation, the mean over the records that a surface moves, to that of the noise, for each sensor.
     Ratio(f64),
     /// Standard deviations of some sensors, in their own units; the others have no noise.
     Levels(Vec<(Sensor, f64)>),

@@ -48,3 +48,39 @@ fn what_is_there_is_replaced_only_if_that_is_allowed() {
         Err(CommandError::Write { .. })
     ));
 }
+
+#[test]
+fn a_fault_brings_back_what_was_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    std::fs::write(folder.path().join("a"), "old").unwrap();
+    // Something else makes a folder in a file's place behind the check.
+    std::fs::create_dir(folder.path().join("c")).unwrap();
+    std::fs::write(folder.path().join("c/dear"), "dear").unwrap();
+    let error = write_folder(folder.path(), &files(&["a", "b", "c"]), Overwrite::Allowed);
+    assert!(matches!(error, Err(CommandError::Exists { .. })));
+    assert_eq!(names(folder.path()), ["a", "c"]);
+    assert_eq!((text("a"), text("c/dear")), ("old".to_owned(), "dear".to_owned()));
+
+    std::fs::remove_dir_all(folder.path().join("c")).unwrap();
+    write_folder(folder.path(), &files(&["a", "b", "c"]), Overwrite::Allowed).unwrap();
+    assert_eq!(names(folder.path()), ["a", "b", "c"]);
+    assert_eq!(text("a"), "a");
+}
+
+#[test]
+fn what_cannot_be_brought_back_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let old = tempfile::tempdir_in(folder.path()).unwrap();
+    let before = old.path().join("0");
+    std::fs::write(&before, "old").unwrap();
+    let placed = Placed {
+        file: folder.path().join("gone/a"),
+        before: Some(before.clone()),
+        is_written: true,
+    };
+    let first = CommandError::Exists { file: "b".into() };
+    let error = undo(&[placed], old, first).to_string();
+    assert!(error.contains(&format!("it is kept as {}", before.display())), "{error}");
+    assert_eq!(std::fs::read_to_string(&before).unwrap(), "old");
+}
