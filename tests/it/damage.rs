@@ -10,7 +10,7 @@ use transmode::Exit;
 use crate::arrays::{Array, Mat, archive, gzip, mat, npy, npy_vector};
 use crate::program::{Folder, transmode};
 
-/// Files for each reader and each way to break them; all readers together take a few seconds.
+/// Files for each reader and each way to break them; all readers together take a few seconds. The environment variable PROPTEST_CASES asks for more.
 const CASES: u32 = 200;
 
 const NAMES: [&str; 4] = ["time", "beta", "p", "r"];
@@ -122,7 +122,10 @@ impl Change {
 }
 
 fn run<S: Strategy>(strategy: &S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let config = Config { cases: CASES, failure_persistence: None, ..Config::default() };
+    let mut config = Config { failure_persistence: None, ..Config::default() };
+    if std::env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = CASES;
+    }
     if let Err(error) = TestRunner::new(config).run(strategy, test) {
         panic!("{error}");
     }

@@ -62,6 +62,31 @@ fn a_column_of_text_is_refused() {
     assert!(message.contains("\"state\" holds no numbers; choose others"), "{message}");
 }
 
+/// Every byte, changed in several ways: a table or a sentence, and never a panic.
+#[test]
+fn any_changed_byte_gets_an_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path());
+    let whole = std::fs::read(&path).unwrap();
+    let mut choose = |_: Format, headings: &[Heading]| Ok((0..headings.len().min(3)).collect());
+    let (mut read, mut refused) = (0, 0);
+    for place in 0..whole.len() {
+        for change in [0x01, 0x10, 0x80, 0xff] {
+            let mut damaged = whole.clone();
+            damaged[place] ^= change;
+            std::fs::write(&path, &damaged).unwrap();
+            match super::super::source::read(&path, &mut choose, Progress::Hidden) {
+                Ok(_) => read += 1,
+                Err(error) => {
+                    assert!(!error.to_string().is_empty());
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert!(read > 0 && refused > 0, "{read} {refused}");
+}
+
 #[test]
 fn a_damaged_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
