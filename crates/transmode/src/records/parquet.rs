@@ -1,12 +1,17 @@
 //! Parquet files: the flat columns of numbers in them are channels; a null is a gap.
 
+mod guarded;
+
 use std::fs::File;
 use std::path::Path;
 
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{FileReader, SerializedFileReader};
+
+use guarded::guarded;
 
 use super::format::Format;
 use super::format_error::FormatError;
@@ -27,6 +32,10 @@ pub(crate) fn read(
 ) -> Result<Table, CommandError> {
     let fault =
         |error: ParquetError| in_file(file, &FormatError::Archive { what: error.to_string() });
+    let length = source
+        .metadata()
+        .map_err(|error| in_file(file, &FormatError::Archive { what: error.to_string() }))?
+        .len();
     let reader = SerializedFileReader::new(source).map_err(fault)?;
     let metadata = reader.metadata();
     let samples = usize::try_from(metadata.file_metadata().num_rows()).ok();
@@ -43,8 +52,9 @@ pub(crate) fn read(
         let group = reader.get_row_group(index).map_err(fault)?;
         for (column, values) in chosen.iter().zip(&mut values) {
             let size = group.metadata().column(*column).compressed_size();
+            within(group.metadata().column(*column), length).map_err(fault)?;
             let highest = metadata.file_metadata().schema_descr().column(*column).max_def_level();
-            let found = match group.get_column_reader(*column).map_err(fault)? {
+            let found = guarded(|| match group.get_column_reader(*column)? {
                 ColumnReader::DoubleColumnReader(reader) => numbers(reader, highest, |x| x, values),
                 ColumnReader::FloatColumnReader(reader) => {
                     numbers(reader, highest, f64::from, values)
@@ -63,7 +73,11 @@ pub(crate) fn read(
                     "column {:?} holds no numbers; choose others with --outputs",
                     headings[*column].name
                 ))),
-            };
+            });
+            let found = found.unwrap_or_else(|| {
+                let what = format!("column {:?} is damaged", headings[*column].name);
+                Err(ParquetError::General(what))
+            });
             found.map_err(fault)?;
             bar.advance(u64::try_from(size).unwrap_or(0));
         }
@@ -75,6 +89,19 @@ pub(crate) fn read(
         file,
         Table { format: Format::Parquet, headings, chosen, values, places: Places::Samples },
     )
+}
+
+/// Refuses a column that does not lie within the file: the library takes its place for granted.
+fn within(column: &ColumnChunkMetaData, length: u64) -> Result<(), ParquetError> {
+    let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
+    let end = start.checked_add(column.compressed_size());
+    let lies_within = start >= 0
+        && column.compressed_size() >= 0
+        && end.and_then(|end| u64::try_from(end).ok()).is_some_and(|end| end <= length);
+    if lies_within {
+        return Ok(());
+    }
+    Err(ParquetError::General("a column lies beyond the end of the file".to_owned()))
 }
 
 /// Appends all numbers of one column of a row group, NaN where there is none: where the definition level is not the `highest`.
