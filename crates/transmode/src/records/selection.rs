@@ -134,7 +134,13 @@ impl Selection {
         let usual = || headings.iter().position(|heading| is_time(&heading.name));
         match &self.time {
             TimeSource::Column(name) => position(file, headings, name).map(Some),
-            TimeSource::Period(_) => Ok(None),
+            TimeSource::Period(_) => match usual() {
+                Some(index) if !self.outputs.contains(&headings[index].name) => {
+                    let column = headings[index].name.clone();
+                    Err(SelectionError::TimeIsThere { file: file.to_owned(), column }.into())
+                }
+                _ => Ok(None),
+            },
             TimeSource::UsualOrUnknown if !format.is_text() => Ok(usual()),
             TimeSource::Usual | TimeSource::UsualOrUnknown => match usual() {
                 Some(index) => Ok(Some(index)),
