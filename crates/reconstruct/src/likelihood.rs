@@ -252,7 +252,11 @@ pub fn maximise(
             .map(|_| count(problem.layout.order))
             .sum::<f64>();
     if residuals <= needed {
-        return Err(ReconstructError::TooFewSamples { residuals, parameters: needed });
+        // A sum of nothing is minus zero.
+        return Err(ReconstructError::TooFewSamples {
+            residuals: residuals + 0.0,
+            parameters: needed,
+        });
     }
     let found =
         search_over_holds(&mut problem, starts, &units, residuals, options).ok_or_else(|| {
