@@ -13,6 +13,7 @@ mod identify;
 mod inspect;
 mod modes;
 mod monitor;
+mod numbers;
 mod output;
 mod pages;
 mod records;

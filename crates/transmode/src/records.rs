@@ -41,6 +41,7 @@ use std::path::Path;
 pub(crate) use loading::{Loaded, Source, is_same_file, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
+pub(crate) use sampling::is_same_period;
 pub(crate) use segments::SHORTEST;
 pub(crate) use selection::Selection;
 pub(crate) use warning::LoadWarning;

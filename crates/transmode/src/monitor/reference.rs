@@ -7,12 +7,11 @@ use reconstruct::Record;
 use super::model_file::ModelFile;
 use crate::CommandError;
 use crate::args::MonitorArgs;
-use crate::records::Loaded;
+use crate::numbers::{number, whole, without_rounding};
+use crate::records::{Loaded, is_same_period};
 
 /// Samples in a span where no other length is asked for.
 const SPAN_SAMPLES: f64 = 50.0;
-/// Periods that differ by less are the same.
-const PERIOD_TOLERANCE: f64 = 1e-6;
 
 /// What new records are compared with.
 #[derive(Debug)]
@@ -35,8 +34,7 @@ impl Reference {
 
     /// The time of a sample of a record that starts then, without what rounding adds.
     pub(super) fn time(&self, start_s: f64, sample: usize) -> f64 {
-        let exact = start_s + self.period_s * number(sample);
-        format!("{exact:.11e}").parse().unwrap_or(exact)
+        without_rounding(start_s + self.period_s * number(sample))
     }
 
     /// How many healthy spans raise an alarm in an hour.
@@ -84,13 +82,12 @@ pub(super) fn calibrate(
         return Err(fault("it has one sensor, and a transmissibility relates two".to_owned()));
     }
     let span = args.span.map_or(SPAN_SAMPLES, |span_s| (span_s / period_s).round());
-    if !(2.0..=1e9).contains(&span) {
+    let Some(window) = whole(span).filter(|window| *window >= 2) else {
         return Err(fault(format!(
             "a span of {} s is {span} of its samples of {period_s} s; at least 2 are needed: change --span",
             args.span.unwrap_or_default()
         )));
-    }
-    let window = format!("{span:.0}").parse().map_err(|_| fault("no span".to_owned()))?;
+    };
     let false_alarms = args.false_alarms.per_span(span * period_s);
     if false_alarms >= 0.5 {
         return Err(fault(format!(
@@ -169,15 +166,11 @@ fn names(record: &Record) -> Vec<String> {
 
 /// Refuses a sample period that is not that of `what`.
 pub(super) fn same_period(found_s: f64, expected_s: f64, what: &str) -> Result<(), String> {
-    if (found_s - expected_s).abs() <= PERIOD_TOLERANCE * expected_s {
+    if is_same_period(found_s, expected_s) {
         Ok(())
     } else {
         Err(format!(
             "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them"
         ))
     }
-}
-
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }

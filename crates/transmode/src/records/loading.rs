@@ -18,6 +18,7 @@ use super::source;
 use super::table::Table;
 use super::timing::{Times, scale};
 use super::warning::LoadWarning;
+use crate::numbers::{number, without_rounding};
 use crate::{CommandError, SelectionError};
 
 /// Records and where they come from.
@@ -250,11 +251,10 @@ impl Recording<'_> {
             channels.push(Channel::new(self.table.heading(index).name.clone(), values));
         }
         let known = channels.split_off(self.units.len());
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "a factor that fits a record is far below 2^53"
-        )]
-        let period = SamplePeriod::new(period_s * factor.get() as f64);
+        let period = SamplePeriod::new(match factor.get() {
+            1 => period_s,
+            factor => without_rounding(period_s * number(factor)),
+        });
         let period = period.map_err(|error| in_file(self.file, &error))?;
         let record =
             Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;

@@ -1,5 +1,6 @@
 //! Time stamps -> one sample period, or the row where they stop being even.
 
+use crate::numbers::without_rounding;
 use std::ops::RangeInclusive;
 
 /// A step that differs from the usual one by more than this part of it is no jitter but a fault.
@@ -128,9 +129,10 @@ fn usual_step(time_s: &[f64]) -> Option<f64> {
     (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// The value with 12 significant digits: what is left of 0.1 after subtracting stamps near 200 s.
-fn without_rounding(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
+/// Whether two records are sampled alike: within one part in a million, as the methods ask.
+pub(crate) fn is_same_period(first_s: f64, second_s: f64) -> bool {
+    const TOLERANCE: f64 = 1e-6;
+    (first_s - second_s).abs() <= TOLERANCE * second_s
 }
 
 #[cfg(test)]

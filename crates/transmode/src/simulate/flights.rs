@@ -10,6 +10,7 @@ use nalgebra::DMatrix;
 use super::aircraft_file::Found;
 use super::{Noise, Sensor, SimulateError};
 use crate::args::{ExcitationKind, SimulateArgs, SurfaceChoice};
+use crate::numbers::{number, whole};
 
 /// The shortest record and the longest: a file of ten million samples has half a gigabyte.
 const SAMPLES: std::ops::RangeInclusive<usize> = 2..=10_000_000;
@@ -291,18 +292,6 @@ fn samples(args: &SimulateArgs) -> Result<usize, SimulateError> {
         least: *SAMPLES.start(),
         most: *SAMPLES.end(),
     })
-}
-
-/// A number rounded to a count, if it is one of a sensible size.
-fn whole(value: f64) -> Option<usize> {
-    let rounded = value.round();
-    let in_range = (0.0..1e9).contains(&rounded);
-    in_range.then(|| format!("{rounded:.0}").parse().ok()).flatten()
-}
-
-/// A count as a number.
-pub(super) fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }
 
 /// Seconds between two steps of the simulation of what is not held.

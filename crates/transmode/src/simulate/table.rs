@@ -4,7 +4,8 @@ use std::io::Write;
 
 use nalgebra::DMatrix;
 
-use super::flights::{Simulator, number};
+use super::flights::Simulator;
+use crate::numbers::{number, rounded, without_rounding};
 
 /// Significant digits of readings with noise: it hides the others.
 const DIGITS_WITH_NOISE: usize = 9;
@@ -18,8 +19,7 @@ pub(super) fn render(simulator: &Simulator<'_>, readings: &DMatrix<f64>) -> Vec<
     }
     let noisy = simulator.args.noise != super::Noise::Absent;
     for (k, column) in readings.column_iter().enumerate() {
-        // Twelve digits, so that 3 periods of 0.1 s are 0.3 s.
-        let _ = write!(text, "\n{}", rounded(number(k) * simulator.period.seconds(), 12));
+        let _ = write!(text, "\n{}", without_rounding(number(k) * simulator.period.seconds()));
         for value in column.iter() {
             let value = if noisy { rounded(*value, DIGITS_WITH_NOISE) } else { *value };
             let _ = write!(text, ",{value}");
@@ -27,9 +27,4 @@ pub(super) fn render(simulator: &Simulator<'_>, readings: &DMatrix<f64>) -> Vec<
     }
     text.push(b'\n');
     text
-}
-
-/// To so many significant digits.
-fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits - 1).parse().unwrap_or(value)
 }

@@ -1,0 +1,51 @@
+//! Between counts and numbers, and numbers without what rounding adds to them.
+
+/// A count as a number, exactly: no record has 2^53 samples.
+pub(crate) fn number(count: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "counts of samples are far below 2^53")]
+    let number = count as f64;
+    number
+}
+
+/// A number rounded to a count, if it is one of a sensible size.
+pub(crate) fn whole(value: f64) -> Option<usize> {
+    const LARGEST: f64 = 1e9;
+    let rounded = value.round();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number between 0 and the largest"
+    )]
+    (0.0..=LARGEST).contains(&rounded).then_some(rounded as usize)
+}
+
+/// The number with so many significant digits.
+pub(crate) fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
+/// The number with 12 significant digits, so that 3 periods of 0.1 s are 0.3 s, and stamps near 200 s are 0.1 s apart.
+pub(crate) fn without_rounding(value: f64) -> f64 {
+    rounded(value, 12)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_and_numbers() {
+        assert_eq!(number(3).to_bits(), 3.0_f64.to_bits());
+        assert_eq!(whole(2.6), Some(3));
+        for value in [-1.0, 2e9, f64::NAN, f64::INFINITY] {
+            assert_eq!(whole(value), None);
+        }
+    }
+
+    #[test]
+    fn what_rounding_adds_goes() {
+        assert_eq!(without_rounding(3.0 * 0.1).to_bits(), 0.3_f64.to_bits());
+        assert_eq!(rounded(1234.567, 3).to_bits(), 1230.0_f64.to_bits());
+        assert!(without_rounding(f64::NAN).is_nan());
+    }
+}
