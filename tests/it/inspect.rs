@@ -123,3 +123,30 @@ fn times_that_do_not_fit_are_a_problem_and_no_error() {
         "{text}"
     );
 }
+
+#[test]
+fn no_command_is_suggested_that_would_be_refused() {
+    let folder = Folder::new();
+    let slow = |step: f64| {
+        let row = |k: u32| {
+            let x = f64::from(k * k % 17);
+            format!(
+                "{},{x},{},{}\n",
+                step * f64::from(k),
+                2.0 * x - f64::from(k % 5),
+                f64::from(k % 7)
+            )
+        };
+        format!("time,beta,p,r\n{}", (0..80).map(row).collect::<String>())
+    };
+    let [a, b] = [("a.csv", 0.1), ("b.csv", 0.2)].map(|(name, step)| folder.file(name, slow(step)));
+    for (files, expected) in [
+        ([a.as_str(), a.as_str()], "is given twice"),
+        ([a.as_str(), b.as_str()], ": resample one of them"),
+    ] {
+        let (_, found) = json(&files);
+        let text = found["suggestion"].as_str().unwrap();
+        assert!(text.starts_with("no suggestion: ") && text.ends_with(expected), "{text}");
+        transmode(&["identify", files[0], files[1], "--outputs", "beta,p,r"]).refused(expected);
+    }
+}

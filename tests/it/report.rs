@@ -120,6 +120,15 @@ fn a_place_that_cannot_be_written_leaves_nothing() {
         assert_eq!(folder.names(), ["file"]);
     }
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "dear");
+    // The same for a JSON file: no report comes without it.
+    let out = folder.path("out");
+    let taken = folder.path("taken.json");
+    std::fs::create_dir(&taken).unwrap();
+    let words = ["identify", &files[0], &files[1], "--outputs", "beta,p,r", "--json"];
+    let more = [taken.to_str().unwrap(), "--report", out.to_str().unwrap()];
+    transmode(&[&words[..], &more].concat()).refused("cannot write");
+    assert!(!out.exists());
+    std::fs::remove_dir(&taken).unwrap();
     // A folder that is there, but takes no files from anybody: the fault comes at the end of all work.
     let closed = Path::new("/proc/self");
     if cfg!(target_os = "linux") && closed.is_dir() {

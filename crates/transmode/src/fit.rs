@@ -11,7 +11,6 @@ mod warning;
 
 use std::io::Write;
 use std::num::NonZero;
-use std::path::Path;
 
 use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
 
@@ -55,14 +54,12 @@ pub(crate) fn run(
     };
     let warnings = warnings(&found);
 
-    // The file first: if it cannot be written, nothing has been said yet.
-    let standard_output = Path::new("-");
-    if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&found, &warnings)?, out)?;
-    }
-    if args.json.as_deref() != Some(standard_output) {
-        output::write_whole(standard_output, text::render(&found, &warnings).as_bytes(), out)?;
-    }
+    output::write_result(
+        args.json.as_deref(),
+        || json::render(&found, &warnings),
+        || text::render(&found, &warnings),
+        out,
+    )?;
     Ok(if warnings.iter().any(|warning| warning.is_doubt()) { Exit::Doubtful } else { Exit::Fine })
 }
 

@@ -40,8 +40,10 @@ pub(crate) fn run(
     let Input { records, sources, known_inputs, noise, warnings } = input::read(&args, progress)?;
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
     let options = options::options(&args, &records, noise, known_inputs)?;
+    let searching = progress.work("searching for the modes");
     let mut result = reconstruct(&records, &options)
         .map_err(|error| refusal::sentence(&error, noise_name.as_deref()))?;
+    drop(searching);
     result.doubts.retain(|doubt| !outcome::is_of_one_excitation(doubt, &records, &sources));
     let found = modes::name(&result, &records[0])?;
     let flight = args.aircraft_class.zip(args.flight_phase);
@@ -57,24 +59,32 @@ pub(crate) fn run(
         warnings: &warnings,
     };
 
-    if let Some(folder) = &args.report {
-        let input = report::Input {
-            command: typed,
-            records: &records,
-            sources: &sources,
-            warnings: &warnings,
-            options: &options,
-            result: &result,
-            found: &found,
-            flying: args.aircraft_class.zip(args.flight_phase),
-            progress,
-        };
-        report::write(folder, &input)?;
-    }
-    // The file first: if it cannot be written, nothing has been said yet.
+    let drawn = match &args.report {
+        Some(folder) => {
+            let input = report::Input {
+                command: typed,
+                records: &records,
+                sources: &sources,
+                warnings: &warnings,
+                options: &options,
+                result: &result,
+                found: &found,
+                flying: args.aircraft_class.zip(args.flight_phase),
+                progress,
+            };
+            Some((folder, report::draw(&input)?))
+        }
+        None => None,
+    };
+    let write_report = || match &drawn {
+        Some((folder, files)) => report::replace(folder, files),
+        None => Ok(()),
+    };
+    // Files first: if they cannot be written, nothing has been said yet.
     let standard_output = Path::new("-");
-    if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&outcome)?, out)?;
+    match &args.json {
+        Some(file) => output::write_with(file, &json::render(&outcome)?, out, write_report)?,
+        None => output::uninterrupted(write_report)?,
     }
     let to_files = args.report.is_some() || args.json.is_some();
     let repeats = progress == Progress::Hidden && to_files;

@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::args::InspectArgs;
-use crate::records::Progress;
+use crate::records::{self, Progress};
 use crate::{CommandError, Exit, output};
 use file::{Inspected, Weight};
 use mapping::{lateral, quoted};
@@ -31,22 +31,49 @@ pub(crate) fn run(
     let files = args.files.iter().map(inspect).collect::<Result<Vec<_>, _>>()?;
     let suggestion = suggestion(args, &files);
 
-    // The file first: if it cannot be written, nothing has been said yet.
-    let standard_output = Path::new("-");
-    if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&files, &suggestion)?, out)?;
-    }
-    if args.json.as_deref() != Some(standard_output) {
-        output::write_whole(standard_output, text::render(&files, &suggestion).as_bytes(), out)?;
-    }
+    output::write_result(
+        args.json.as_deref(),
+        || json::render(&files, &suggestion),
+        || text::render(&files, &suggestion),
+        out,
+    )?;
     let is_problem =
         |file: &Inspected| file.findings.iter().any(|finding| finding.weight == Weight::Problem);
     Ok(if files.iter().any(is_problem) { Exit::Doubtful } else { Exit::Fine })
 }
 
-/// A command line for these files, with the sensors that look right; or which sensors are missing.
+/// Why no command could use these files together.
+fn obstacle(args: &InspectArgs, files: &[Inspected]) -> Option<String> {
+    let twice = |(index, file): (usize, &PathBuf)| {
+        args.files[..index].iter().any(|other| records::is_same_file(other, file))
+    };
+    if let Some((_, file)) = args.files.iter().enumerate().find(|found| twice(*found)) {
+        return Some(format!("{} is given twice", file.display()));
+    }
+    if let Some(file) = files.iter().find(|file| file.sampling.is_none()) {
+        return Some(format!("the samples of {} are not evenly spaced", file.file));
+    }
+    let period = |file: &Inspected| file.sampling.as_ref().map_or(0.0, |found| found.period_s);
+    let first = files.first()?;
+    // What identify takes for the same period.
+    let differs = |file: &&Inspected| !records::is_same_period(period(file), period(first));
+    files.iter().find(differs).map(|file| {
+        format!(
+            "{} is sampled every {} s, {} every {} s: resample one of them",
+            first.file,
+            period(first),
+            file.file,
+            period(file)
+        )
+    })
+}
+
+/// A command line for these files, with the sensors that look right; or what keeps them from being used together.
 fn suggestion(args: &InspectArgs, files: &[Inspected]) -> String {
     let Some(first) = files.first() else { return String::new() };
+    if let Some(obstacle) = obstacle(args, files) {
+        return format!("no suggestion: {obstacle}");
+    }
     // A sensor that is dead in one file, or not there, is of no use.
     let is_good = |file: &Inspected, name: &str| {
         file.channels.iter().any(|channel| channel.name == name && !channel.signal.is_constant())

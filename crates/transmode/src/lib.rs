@@ -31,7 +31,7 @@ use records::Progress;
 pub use error::{
     CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError,
 };
-pub use output::write_whole;
+pub use output::{end_between_files, write_whole};
 
 /// How a command ended; the program's exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +43,11 @@ pub enum Exit {
     Doubtful = 1,
     /// 2: the command line or a file is at fault. No file is left half-written.
     BadInput = 2,
+}
+
+impl Exit {
+    /// What a program ends with that Ctrl-C has ended: 128 and the number of the signal, as shells have it.
+    pub const INTERRUPTED: i32 = 130;
 }
 
 impl From<Exit> for std::process::ExitCode {

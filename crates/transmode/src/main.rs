@@ -4,6 +4,7 @@ use std::io::IsTerminal;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    transmode::end_between_files();
     let (mut out, mut err) = (std::io::stdout().lock(), std::io::stderr().lock());
     let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     // The convention of no-color.org, and terminals that say that they show none.

@@ -6,7 +6,6 @@ mod reference;
 mod text;
 
 use std::io::Write;
-use std::path::Path;
 
 use ::monitor::{Detector, Diagnosis, Window};
 use reconstruct::Record;
@@ -84,14 +83,12 @@ pub(crate) fn run(
     }));
     let found = Found { reference, watched, warnings };
 
-    // The file first: if it cannot be written, nothing has been said yet.
-    let standard_output = Path::new("-");
-    if let Some(file) = &args.json {
-        output::write_whole(file, &json::render(&found)?, out)?;
-    }
-    if args.json.as_deref() != Some(standard_output) {
-        output::write_whole(standard_output, text::render(&found).as_bytes(), out)?;
-    }
+    output::write_result(
+        args.json.as_deref(),
+        || json::render(&found),
+        || text::render(&found),
+        out,
+    )?;
     let is_alarm = |watched: &Watched| watched.diagnosis.is_some();
     Ok(if found.watched.iter().any(is_alarm) { Exit::Doubtful } else { Exit::Fine })
 }

@@ -21,8 +21,6 @@ mod summary;
 mod thinning;
 mod transmissibility;
 
-use std::path::Path;
-
 use aircraft::{AircraftClass, FlightPhaseCategory};
 use report::{Block, Document};
 
@@ -30,7 +28,7 @@ use crate::CommandError;
 use crate::modes::Found;
 use crate::records::{LoadWarning, Progress, Source};
 
-pub(crate) use folder::check_place;
+pub(crate) use folder::{check_place, replace};
 
 /// The page's name in the folder.
 const PAGE: &str = "report.html";
@@ -71,18 +69,17 @@ pub(crate) struct Input<'a> {
     pub(crate) progress: Progress,
 }
 
-/// Writes the report into a folder that [`check_place`] allows: all of it or nothing.
+/// The files of a report, with their names in its folder.
 ///
 /// # Errors
 ///
-/// [`CommandError::Write`] and [`CommandError::NotAReport`] for the folder, [`CommandError::Report`] where a figure cannot be drawn.
-pub(crate) fn write(folder: &Path, input: &Input<'_>) -> Result<(), CommandError> {
-    let working = input.progress.work("report");
+/// [`CommandError::Report`] where a figure cannot be drawn.
+pub(crate) fn draw(input: &Input<'_>) -> Result<Vec<(String, Vec<u8>)>, CommandError> {
+    let _working = input.progress.work("drawing the report");
     let mut document = Document::new("Modes from sensor records")
         .generator(format!("{PROGRAM} {}", env!("CARGO_PKG_VERSION")));
     for section in SECTIONS {
         section(input)?.into_iter().for_each(|block| document.push(block));
-        working.tick();
     }
     let fault = |error: report::ReportError| CommandError::Report(error.to_string());
     let page = report::html::render(&document).map_err(fault)?;
@@ -94,8 +91,7 @@ pub(crate) fn write(folder: &Path, input: &Input<'_>) -> Result<(), CommandError
         files.push((format!("{}.svg", figure.id), picture.into_bytes()));
         files.push((format!("{}.png", figure.id), image));
     }
-    working.tick();
-    folder::replace(folder, &files)
+    Ok(files)
 }
 
 /// The pictures as PNG, each drawn by a thread of its own: packing the pixels takes most of a report's time.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempDir};
 
-use super::draft_in;
+use super::{draft_in, refuse_folder, uninterrupted};
 use crate::CommandError;
 
 /// What happens to files that are there.
@@ -19,7 +19,8 @@ pub(crate) enum Overwrite {
 ///
 /// # Errors
 ///
-/// [`CommandError::Exists`] where a file is there and may not be replaced; [`CommandError::Write`] where the folder is no folder.
+/// [`CommandError::Exists`] where a file is there and may not be replaced; [`CommandError::Write`] where the folder is none, or a folder stands in a
+/// file's place.
 pub(crate) fn check_folder(
     folder: &Path,
     names: &[String],
@@ -31,8 +32,8 @@ pub(crate) fn check_folder(
     }
     for name in names {
         let file = folder.join(name);
-        let is_there = file.symlink_metadata().is_ok();
-        if is_there && (overwrite == Overwrite::Refused || file.is_dir()) {
+        refuse_folder(&file)?;
+        if overwrite == Overwrite::Refused && file.symlink_metadata().is_ok() {
             return Err(CommandError::Exists { file });
         }
     }
@@ -48,6 +49,14 @@ pub(crate) fn check_folder(
 ///
 /// [`CommandError::Exists`], [`CommandError::Write`]; [`CommandError::NotRestored`] where a file that was there cannot be put back.
 pub(crate) fn write_folder(
+    folder: &Path,
+    files: &[(String, Vec<u8>)],
+    overwrite: Overwrite,
+) -> Result<(), CommandError> {
+    uninterrupted(|| write_all(folder, files, overwrite))
+}
+
+fn write_all(
     folder: &Path,
     files: &[(String, Vec<u8>)],
     overwrite: Overwrite,

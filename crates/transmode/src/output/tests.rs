@@ -28,6 +28,30 @@ fn a_failed_write_leaves_nothing() {
 }
 
 #[test]
+fn a_file_and_what_goes_with_it_are_written_both_or_neither() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, more) = (folder.path().join("result.json"), folder.path().join("more"));
+    let is_there = || std::fs::read_dir(folder.path()).unwrap().count();
+    let mut out = Vec::new();
+    let missing = folder.path().join("no").join("result.json");
+    let write_more = || more_to(&more);
+    assert!(write_with(&missing, b"x", &mut out, write_more).is_err());
+    assert_eq!(is_there(), 0);
+    let fails = || Err(CommandError::Exists { file: more.clone() });
+    for place in [&file, Path::new("-")] {
+        assert!(write_with(place, b"x", &mut out, fails).is_err());
+        assert_eq!((is_there(), out.len()), (0, 0));
+    }
+    write_with(&file, b"x", &mut out, write_more).unwrap();
+    assert_eq!(is_there(), 2);
+}
+
+fn more_to(file: &Path) -> Result<(), CommandError> {
+    std::fs::write(file, b"more")
+        .map_err(|source| CommandError::Write { file: file.to_owned(), source })
+}
+
+#[test]
 fn a_dash_is_standard_output() {
     let mut out = Vec::new();
     write_whole(Path::new("-"), b"x", &mut out).unwrap();

@@ -1,6 +1,8 @@
 //! How far a long file has been read, for a person who watches.
 
 use std::path::Path;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -17,12 +19,12 @@ pub(crate) enum Progress {
     Hidden,
 }
 
-/// Work without a known end.
+/// Work without a known end; it is over when this is dropped.
 #[derive(Debug)]
 pub(crate) struct Working {
-    bar: ProgressBar,
-    started: Instant,
-    mode: Progress,
+    /// What the thread waits for, which tells by being dropped.
+    over: Option<Sender<()>>,
+    spinner: Option<JoinHandle<()>>,
 }
 
 /// How far one file has been read.
@@ -52,32 +54,40 @@ impl Progress {
 }
 
 impl Progress {
-    /// For work of many steps, of which nobody knows how long they take.
+    /// For work of which nobody knows how long it takes.
     pub(crate) fn work(self, what: &'static str) -> Working {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        Working { bar: bar.with_message(what), started: Instant::now(), mode: self }
+        if self == Self::Hidden {
+            return Working { over: None, spinner: None };
+        }
+        let (over, wait) = mpsc::channel();
+        // Without a thread nothing turns, and the work is done all the same.
+        let spinner = std::thread::Builder::new().spawn(move || spin(what, &wait)).ok();
+        Working { over: Some(over), spinner }
     }
 }
 
-impl Working {
-    /// Another step is done.
-    pub(crate) fn tick(&self) {
-        /// How often a spinner turns by itself.
-        const TURN: Duration = Duration::from_millis(120);
-        if self.mode == Progress::Shown && self.bar.is_hidden() && self.started.elapsed() > PATIENCE
-        {
-            // Draws only where standard error is a terminal.
-            self.bar.set_style(ProgressStyle::default_spinner());
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-            self.bar.enable_steady_tick(TURN);
-        }
-        self.bar.tick();
+/// Turns a spinner from a second on until the work is over.
+fn spin(what: &'static str, wait: &Receiver<()>) {
+    /// How often it turns.
+    const TURN: Duration = Duration::from_millis(120);
+    if wait.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) {
+        return;
     }
+    // Draws only where standard error is a terminal.
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr())
+        .with_style(ProgressStyle::default_spinner())
+        .with_message(what);
+    bar.enable_steady_tick(TURN);
+    let _ = wait.recv();
+    bar.finish_and_clear();
 }
 
 impl Drop for Working {
     fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        self.over = None;
+        if let Some(spinner) = self.spinner.take() {
+            let _ = spinner.join();
+        }
     }
 }
 

@@ -72,8 +72,12 @@ fn is_file(entry: &DirEntry) -> bool {
     entry.file_type().is_ok_and(|kind| kind.is_file())
 }
 
-/// Writes all files into a new folder and puts it in the place of `folder`.
-pub(super) fn replace(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), CommandError> {
+/// Writes all files into a new folder and puts it in the place of `folder`, which [`check_place`] must allow: all of it or nothing.
+///
+/// # Errors
+///
+/// Those of [`check_place`], and [`CommandError::Write`].
+pub(crate) fn replace(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), CommandError> {
     check_place(folder)?;
     let fault = |source| CommandError::Write { file: folder.to_owned(), source };
     // A link stays, and so does the name that the operating system knows the folder by.
@@ -87,8 +91,9 @@ pub(super) fn replace(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), 
     // Made by hand: a temporary folder is closed to others, a report is as open as the user's mask allows.
     fs::create_dir(&new).map_err(fault)?;
     for (name, bytes) in files {
-        crate::output::write_whole(&new.join(name), bytes, &mut std::io::sink())
-            .map_err(|error| in_place(error, &place, name))?;
+        // What the user knows is the file's place, not that of its draft.
+        let fault = |source| CommandError::Write { file: place.join(name), source };
+        fs::write(new.join(name), bytes).map_err(fault)?;
     }
     exchange(drafts, &place, |from, to| fs::rename(from, to))
 }
@@ -115,16 +120,6 @@ pub(super) fn exchange(
         return Err(CommandError::NotRestored { file: place.to_owned(), kept: old, source });
     }
     Err(fault(error))
-}
-
-/// An error about a draft, with the name that the user knows.
-fn in_place(error: CommandError, place: &Path, name: &str) -> CommandError {
-    match error {
-        CommandError::Write { source, .. } => {
-            CommandError::Write { file: place.join(name), source }
-        }
-        other => other,
-    }
 }
 
 fn parent(folder: &Path) -> PathBuf {

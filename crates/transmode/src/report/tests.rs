@@ -33,7 +33,7 @@ fn report(name: &str, method: Method, folder: &Path) -> String {
         flying: Some((AircraftClass::I, FlightPhaseCategory::B)),
         progress: Progress::Hidden,
     };
-    write(folder, &input).expect("a report is written");
+    replace(folder, &draw(&input).expect("a report is drawn")).expect("and written");
     std::fs::read_to_string(folder.join(PAGE)).expect("the page is there")
 }
 
@@ -128,7 +128,7 @@ fn folders_with_other_things_are_not_touched() {
         ),
         "{error}"
     );
-    assert!(folder::replace(place.path(), &[]).is_err());
+    assert!(replace(place.path(), &[]).is_err());
     assert_eq!(names(place.path()), ["flight.csv", "order.svg", PAGE]);
     assert!(
         check(&place.path().join("flight.csv"))
@@ -194,7 +194,7 @@ fn page_and_json_have_the_same_intervals() {
         progress: Progress::Hidden,
     };
     let out = place.path().join("out");
-    write(&out, &input).expect("a report is written");
+    replace(&out, &draw(&input).expect("a report is drawn")).expect("and written");
     let page = std::fs::read_to_string(out.join(PAGE)).expect("the page is there");
     let number = |value: f64| report::format_significant(value, 3);
     let mut differ = 0;

@@ -41,7 +41,7 @@ fn what_is_there_is_replaced_only_if_that_is_allowed() {
     // A folder is never replaced, and a file is no folder.
     std::fs::create_dir(folder.path().join("c")).unwrap();
     let taken = check_folder(folder.path(), &["c".to_owned()], Overwrite::Allowed);
-    assert!(matches!(taken, Err(CommandError::Exists { .. })));
+    assert!(matches!(taken, Err(CommandError::Write { .. })));
     let file = folder.path().join("a");
     assert!(matches!(
         check_folder(&file, &[], Overwrite::Allowed),
