@@ -180,17 +180,21 @@ fn plane_figure(truth: &TrueModes, found: &[Found]) -> Block {
             .with(Ellipses::new("95 % ellipse", Dash::Solid, [dutch]).ink(Ink::Vermillion))
     };
     let panel = |title: &str| real.iter().fold(panel(title), with_interval);
-    let around = |title: &str, center: Complex<f64>, region: &Ellipse| {
-        let reach = 1.8 * region.semi_axes.0;
+    let around = |title: &str, mode: usize| {
+        let (center, size) = (truths[mode], regions[mode].semi_axes.0);
+        let farthest =
+            found.iter().map(|run| (run[mode].value - center).norm()).fold(0.0, f64::max);
+        // All of them, but not at the cost of the region.
+        let reach = (1.8 * size).max(1.1 * farthest).min(3.0 * size);
         panel(title)
             .zoom((center.re - reach, center.re + reach), (center.im - reach, center.im + reach))
     };
     Figure::new("beyond-plane", "Fifty reconstructions in the s-plane", caption)
         .columns(2)
         .with(panel("upper half").zoom((-1.05, 0.85), (-0.05, 1.85)))
-        .with(around("Dutch roll", truth.dutch_roll, &dutch))
-        .with(around("roll", truth.roll, &real[1]))
-        .with(around("spiral", truth.spiral, &real[0]))
+        .with(around("Dutch roll", 2))
+        .with(around("roll", 1))
+        .with(around("spiral", 0))
         .into()
 }
 
