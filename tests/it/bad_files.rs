@@ -396,7 +396,7 @@ fn choices() -> Vec<Case> {
             "two.csv",
             good(),
             &["--outputs", "beta,p"],
-            "2 record(s) of 2 sensor(s), but 3 are needed",
+            "2 records of 2 sensors, but 3 records are needed",
         ),
         (
             "other.csv",
@@ -435,7 +435,7 @@ fn windows_and_options_that_cannot_be() {
             "no sample lies in the window from 30 s to 40 s; its time runs from 0 s to 19.9 s",
         ),
         ("5:5.05", "holds 1 sample; at least 2"),
-        ("0:10", "1 record(s) of 4 sensor(s), but 2 are needed"),
+        ("0:10", "1 record of 4 sensors, but 2 records are needed"),
     ] {
         transmode(&["identify", "--window", &window(text)]).refused(expected);
     }

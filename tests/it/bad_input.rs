@@ -117,11 +117,11 @@ fn columns_that_are_not_there() {
     refuses(good(), &["--outputs", "beta,,p"], "separate the names by single commas");
     refuses("time,,p\n0,1,2\n0.1,2,3\n", &["--outputs", "q,r"], "it has time, \"\", p");
     refuses("time\n0\n0.1\n", &[], "bad.csv: time is its only column");
-    refuses(good(), &["--outputs", "beta,p"], "2 record(s) of 2 sensor(s), but 3 are needed");
+    refuses(good(), &["--outputs", "beta,p"], "2 records of 2 sensors, but 3 records are needed");
     refuses(
         good(),
         &["--outputs", "beta,p", "--method", "as-printed"],
-        "2 sensor channel(s), but 3 are needed",
+        "2 sensors, but 3 are needed",
     );
     refuses("time,beta,p\n0,1,2\n0.1,2,3\n", &[], "has channels beta, p");
     refuses(
@@ -172,9 +172,9 @@ fn command_lines_that_cannot_be() {
     }
     let ran = transmode(&["identify", &good]);
     assert_eq!(ran.exit, Exit::BadInput);
-    assert!(ran.err.contains("1 record(s) of 4 sensor(s), but 2 are needed"), "{}", ran.err);
+    assert!(ran.err.contains("1 record of 4 sensors, but 2 records are needed"), "{}", ran.err);
     let ran = transmode(&["identify", &good, &good]);
-    assert!(ran.err.contains("is given twice; each record needs"), "{}", ran.err);
+    assert!(ran.err.contains("is given twice and would count as two records"), "{}", ran.err);
 }
 
 #[test]
@@ -185,6 +185,10 @@ fn places_that_cannot_be_written() {
     let ran = transmode(&["identify", &good, &more, "--json", missing.to_str().unwrap()]);
     assert_eq!(ran.exit, Exit::BadInput);
     let reason = std::fs::File::open(&missing).unwrap_err();
-    assert_eq!(ran.err, format!("error: cannot write {}: {reason}\n", missing.display()));
+    let expected = "make its folder first, or name another";
+    assert_eq!(
+        ran.err,
+        format!("error: cannot write {}: {reason}; {expected}\n", missing.display())
+    );
     assert!(folder.names().is_empty());
 }

@@ -78,7 +78,7 @@ fn raw_files_that_are_no_record() {
         "x.f64",
         &good()[..4799],
         &RAW,
-        "x.f64: its 4799 bytes are no multiple of 24, one sample of 3 channel(s) of 8 bytes",
+        "x.f64: its 4799 bytes are no multiple of 24, one sample of 3 channels of 8 bytes",
     );
     refuses(
         "x.f64",
@@ -223,7 +223,11 @@ fn files_that_cannot_be_read() {
         let ran = transmode(&words);
         assert_eq!(ran.exit, Exit::BadInput);
         let missing = std::fs::File::open(&path).unwrap_err();
-        assert_eq!(ran.err, format!("error: cannot read {}: {missing}\n", path.display()));
+        let expected = "check its name and folder";
+        assert_eq!(
+            ran.err,
+            format!("error: cannot read {}: {missing}; {expected}\n", path.display())
+        );
         std::fs::create_dir(&path).unwrap();
         let ran = transmode(&words);
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::BadInput, ""));

@@ -79,10 +79,10 @@ fn options_that_do_not_fit_the_records() {
         (&["--order", "100"], "--order: an order of 100 needs"),
         (
             &["--noise", "0.1,0.2"],
-            "--noise has 2 number(s) for 3 sensor(s); give one for each of beta, p, r",
+            "--noise has 2 numbers for 3 sensors; give one for each of beta, p, r",
         ),
-        (&["--noise", "0.1,0.2,0.3,0.4"], "--noise has 4 number(s) for 3 sensor(s)"),
-        (&["--offsets", "0.1,0.2"], "--offsets has 2 number(s) for 3 sensor(s)"),
+        (&["--noise", "0.1,0.2,0.3,0.4"], "--noise has 4 numbers for 3 sensors"),
+        (&["--offsets", "0.1,0.2"], "--offsets has 2 numbers for 3 sensors"),
         (
             &["--band", "40:50"],
             "--band reaches 40 rad/s, above the Nyquist frequency of 31.4159 rad/s",
@@ -226,7 +226,7 @@ fn files_of_options_that_cannot_be() {
         ("order = 4\norder = 4\n", "run.toml, line 2, column 1: duplicate key"),
         ("[identify]\norder = 4\n", "\"identify\" is no option"),
         ("iir = 4\n", "--iir belongs to --method as-printed, not to --method ml"),
-        ("noise = [1.0, 1.0]\n", "--noise has 2 number(s) for 3 sensor(s)"),
+        ("noise = [1.0, 1.0]\n", "--noise has 2 numbers for 3 sensors"),
         ("trend = \"no\"\n", "trend: \"no\" is none of true, false"),
         ("order = 1979-05-27\n", "order is a date; a text, a number"),
     ];
@@ -236,7 +236,7 @@ fn files_of_options_that_cannot_be() {
     }
     files.refuse(&["--config", "no-such-file.toml"], "cannot read no-such-file.toml");
     let binary = files.folder.file("run.toml", b"order = \xff\n");
-    files.refuse(&["--config", &binary], "cannot read");
+    files.refuse(&["--config", &binary], "it is no text in UTF-8; --config takes a TOML file");
     // The file of options is not replaced by the result either.
     let file = files.folder.file("run.toml", "order = 4\n");
     let words = ["identify", &files.aileron, &files.rudder, "--config", &file, "--json", &file];

@@ -101,13 +101,13 @@ fn stretches_between_gaps_share_their_excitation() {
     for method in ["ml", "subspace", "as-printed"] {
         let words = ["identify", &gappy, "--outputs", "beta,p,r", "--method", method];
         transmode(&words).refused(
-            "1 record(s) of 3 sensor(s), but 2 are needed, each with an excitation of its own; the stretches between the gaps of \
+            "1 record of 3 sensors, but 2 records are needed, each with an excitation of its own; the stretches between the gaps of \
              gappy.csv count as one",
         );
     }
     // Two sensors need three records, and three pieces of two are not three.
     transmode(&["identify", &gappy, &rudder, "--outputs", "beta,p"])
-        .refused("2 record(s) of 2 sensor(s), but 3 are needed");
+        .refused("2 records of 2 sensors, but 3 records are needed");
 }
 
 #[test]
@@ -135,6 +135,23 @@ fn the_printed_method_takes_the_longest_stretch() {
 }
 
 /// In the first flight a yaw damper moves the rudder, too, and what it does is measured; in the second it rests.
+#[test]
+fn windows_that_are_not_what_they_seem_are_told() {
+    let [aileron, rudder] =
+        ["white_snr100_aileron.csv", "white_snr100_rudder.csv"].map(crate::program::shipped);
+    let windows = [format!("{aileron}::120"), format!("{aileron}:80:600"), format!("{rudder}:0:")];
+    let words = windows.iter().flat_map(|window| ["--window", window]);
+    let (_, json) = identify(&words.collect::<Vec<_>>());
+    assert_eq!(codes(&json)[..2], ["window-cut", "windows-overlap"]);
+    let text = |index: usize| json["warnings"][index]["text"].as_str().unwrap().to_owned();
+    assert!(text(0).ends_with("what the file has of it: from 80 s to 199.9 s"), "{}", text(0));
+    let both = "white_snr100_aileron.csv::120 and white_snr100_aileron.csv:80:600 overlap";
+    assert!(text(1).starts_with(both), "{}", text(1));
+    // Ends within a step of the file's are meant to be the file's.
+    let words = ["--window", &format!("{aileron}:0:200"), &rudder];
+    assert_eq!(codes(&identify(&words).1), [""; 0]);
+}
+
 #[test]
 fn a_measured_input_is_no_second_excitation() {
     let folder = Folder::new();

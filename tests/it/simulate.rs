@@ -219,6 +219,13 @@ fn nothing_is_replaced_without_force() {
     assert_eq!(bytes(&folder, "flights/aileron.csv"), before);
     assert_eq!(transmode(&[&again[..], &["--force"]].concat()).exit, Exit::Fine);
     assert_ne!(bytes(&folder, "flights/aileron.csv"), before);
+    // With a record that stays there would be no truth of it any more.
+    let quiet = [&again[..], &["--force", "--with-quiet"]].concat();
+    assert_eq!(transmode(&quiet).exit, Exit::Fine);
+    let truth = bytes(&folder, "flights/truth.json");
+    transmode(&[&again[..], &["--force"]].concat())
+        .refused("quiet.csv is of an earlier simulation, whose truth.json would be replaced");
+    assert_eq!(bytes(&folder, "flights/truth.json"), truth);
     // A folder above that is not there, and a file that is no folder.
     let missing = folder.path("no/where");
     transmode(&["simulate", "paper", "-o", missing.to_str().unwrap()]).refused("cannot write");

@@ -1,6 +1,7 @@
 //! What can be wrong with the command line and with files, in full sentences.
 
 mod option;
+mod remedy;
 mod selection;
 mod table;
 mod time;
@@ -18,7 +19,7 @@ pub use time::{Others, TimeError};
 #[non_exhaustive]
 pub enum CommandError {
     /// A file that cannot be read.
-    #[error("cannot read {}: {source}", file.display())]
+    #[error("cannot read {}: {source}; {}", file.display(), remedy::of_reading(source))]
     Read {
         /// The file.
         file: PathBuf,
@@ -26,7 +27,7 @@ pub enum CommandError {
         source: std::io::Error,
     },
     /// A file that cannot be written.
-    #[error("cannot write {}: {source}", file.display())]
+    #[error("cannot write {}: {source}; {}", file.display(), remedy::of_writing(source))]
     Write {
         /// The file, or `-` for standard output.
         file: PathBuf,
@@ -152,7 +153,7 @@ impl CommandError {
 }
 
 /// `1 field`, `2 fields`.
-fn counted(count: u64, what: &str) -> String {
+pub(crate) fn counted(count: u64, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 

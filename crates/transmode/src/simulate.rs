@@ -18,16 +18,20 @@ use flights::Simulator;
 pub(crate) use noise::Noise;
 pub(crate) use sensor::Sensor;
 
+/// What is true of the records.
+const TRUTH: &str = "truth.json";
+
 /// Simulates the records and writes them, all or none.
 pub(crate) fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
     let aircraft = aircraft_file::find(&args.aircraft)?;
     let simulator = Simulator::new(&aircraft, args)?;
     let names = simulator.names();
     let mut files: Vec<String> = names.iter().map(|name| format!("{name}.csv")).collect();
-    files.push("truth.json".to_owned());
+    files.push(TRUTH.to_owned());
     let overwrite =
         if args.force { output::Overwrite::Allowed } else { output::Overwrite::Refused };
     output::check_folder(&args.output, &files, overwrite)?;
+    check_others(args, &files)?;
 
     let flown = simulator.fly()?;
     let mut contents: Vec<Vec<u8>> =
@@ -42,6 +46,20 @@ pub(crate) fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<Exit, Comm
     }
     output::write_whole(Path::new("-"), text.as_bytes(), out)?;
     Ok(Exit::Fine)
+}
+
+/// Refuses to replace the truth of a record that stays.
+fn check_others(args: &SimulateArgs, files: &[String]) -> Result<(), SimulateError> {
+    let place = |name: &str| args.output.join(name);
+    if !place(TRUTH).exists() {
+        return Ok(());
+    }
+    let records = Simulator::all_names().map(|name| format!("{name}.csv"));
+    let stays = |name: &String| !files.contains(name) && place(name).exists();
+    match records.into_iter().find(stays) {
+        Some(name) => Err(SimulateError::OtherSimulation { file: place(&name), truth: TRUTH }),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub(crate) struct FitArgs {
     pub(crate) output: String,
 
     /// Number of channels in a file of raw doubles.
-    #[arg(long, value_name = "C", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "C", value_parser = channels, allow_negative_numbers = true)]
     pub(crate) channels: Option<u64>,
 
     /// The column of time, if not in an NPY or raw file [default: the one called time, t or timestamp].
@@ -48,7 +48,7 @@ pub(crate) struct FitArgs {
     pub(crate) constant_term: bool,
 
     /// Threads that sum [default: one for each processor]. The result does not depend on it.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
 
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
@@ -59,6 +59,16 @@ pub(crate) struct FitArgs {
 /// An order of the model, which may be zero here.
 pub(super) fn order(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "an order is a whole number, at least 0".to_owned())
+}
+
+fn channels(text: &str) -> Result<u64, String> {
+    let found = text.trim().parse().ok().filter(|channels| *channels > 0);
+    found.ok_or_else(|| "a number of channels is a whole number, at least 1".to_owned())
+}
+
+fn threads(text: &str) -> Result<u16, String> {
+    let found = text.trim().parse().ok().filter(|threads| (1..=256).contains(threads));
+    found.ok_or_else(|| "a number of threads is a whole number from 1 to 256".to_owned())
 }
 
 const FIT_HELP: &str = "\

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use clap::ValueHint;
+
 use super::FileArgs;
 
 /// Tells whether the sensors of new records still go together as those of a healthy one did.
@@ -20,7 +22,7 @@ pub(crate) struct MonitorArgs {
     pub(crate) reference: PathBuf,
 
     /// Transmissibilities that fit wrote, which are then not fitted to the reference; give it several times for several pairs.
-    #[arg(long, value_name = "FIT.json")]
+    #[arg(long, value_name = "FIT.json", value_hint = ValueHint::FilePath, conflicts_with_all = ["iir", "causal", "anticausal"])]
     pub(crate) model: Vec<PathBuf>,
 
     /// Length of what is tested at once, in seconds [default: 50 samples].

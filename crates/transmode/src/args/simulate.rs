@@ -56,7 +56,7 @@ pub(crate) struct SimulateArgs {
     pub(crate) with_quiet: bool,
 
     /// The same seed gives the same files.
-    #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: u64,
 
     /// The folder for the files; it is made if it is not there.
@@ -105,6 +105,10 @@ pub(crate) enum SurfaceChoice {
     Rudder,
     /// Both at once, each on its own: what no two-sensor transmissibility can explain, and identify must doubt.
     Both,
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.trim().parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
 }
 
 fn positive(text: &str) -> Result<f64, String> {

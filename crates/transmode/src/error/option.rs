@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::counted;
+
 /// Why an option cannot be used: one sentence with its name and the remedy.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -19,7 +21,7 @@ pub enum OptionError {
         method: &'static str,
     },
     /// Too many or too few numbers for the sensors.
-    #[error("{option} has {found} number(s) for {} sensor(s); give one for each of {}", sensors.len(), sensors.join(", "))]
+    #[error("{option} has {} for {}; give one for each of {}", counted(*found as u64, "number"), counted(sensors.len() as u64, "sensor"), sensors.join(", "))]
     Count {
         /// The option.
         option: &'static str,
@@ -93,7 +95,8 @@ pub enum OptionError {
     },
     /// Records that have too few excitations between them.
     #[error(
-        "{found} record(s) of {sensors} sensor(s), but {needed} are needed, each with an excitation of its own{}",
+        "{} of {}, but {needed} records are needed, each with an excitation of its own{}",
+        counted(*found as u64, "record"), counted(*sensors as u64, "sensor"),
         split.as_ref().map_or_else(String::new, |record| format!(
             "; the stretches between the gaps of {record} count as one: where its excitation changes, cut it with --window"
         ))
@@ -109,7 +112,7 @@ pub enum OptionError {
         split: Option<String>,
     },
     /// Sensors too few for any number of records.
-    #[error("{sensors} sensor channel(s), but {needed} are needed; choose them with --outputs")]
+    #[error("{}, but {needed} are needed; choose them with --outputs", counted(*sensors as u64, "sensor"))]
     TooFewSensors {
         /// How many were given.
         sensors: usize,

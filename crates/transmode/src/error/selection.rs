@@ -87,7 +87,7 @@ pub enum SelectionError {
     },
     /// One file twice, so that two records would be one.
     #[error(
-        "{} is given twice; each record needs an excitation of its own: take two windows of it with --window, or another file",
+        "{} is given twice and would count as two records; name it once, or take two windows of it with --window",
         file.display()
     )]
     SameFile {

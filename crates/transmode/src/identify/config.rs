@@ -22,8 +22,12 @@ type Table = BTreeMap<Spanned<String>, Spanned<Value>>;
 /// The options of the command line, completed from the file that `--config` names. Those of the command line win.
 pub(super) fn complete(given: &Given<IdentifyArgs>) -> Result<IdentifyArgs, CommandError> {
     let Some(file) = &given.args.config else { return Ok(given.args.clone()) };
-    let text = std::fs::read_to_string(file)
-        .map_err(|source| CommandError::Read { file: file.clone(), source })?;
+    let bytes =
+        std::fs::read(file).map_err(|source| CommandError::Read { file: file.clone(), source })?;
+    let text = String::from_utf8(bytes).map_err(|_| CommandError::InFile {
+        file: file.clone(),
+        message: "it is no text in UTF-8; --config takes a TOML file of options".to_owned(),
+    })?;
     let place = Place { file, text: &text };
     let table: Table = toml::from_str(&text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);

@@ -1,5 +1,7 @@
 //! What can be wrong with a binary record, in the words of a message.
 
+use crate::error::counted;
+
 /// Why a binary record cannot be read: what was found, what is needed, what to do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub(crate) enum FormatError {
@@ -93,8 +95,9 @@ pub(crate) enum FormatError {
     )]
     Length { samples: u64, channels: u64, needed: u128, found: u64 },
     #[error(
-        "its {length} bytes are no multiple of {row}, one sample of {channels} channel(s) of 8 bytes; check --channels, \
-         or copy the file again if it is truncated"
+        "its {length} bytes are no multiple of {row}, one sample of {} of 8 bytes; check --channels, \
+         or copy the file again if it is truncated",
+        counted(*channels, "channel")
     )]
     RawLength { length: u64, channels: u64, row: u64 },
 }

@@ -123,6 +123,7 @@ fn read(
         let rows = 0..recording.times.samples();
         return recording.records(name, rows, options, loaded);
     }
+    let mut taken: Vec<(String, Range<usize>)> = Vec::new();
     for window in windows {
         let rows = recording.times.within(window.start_s, window.end_s);
         if rows.is_empty() {
@@ -136,7 +137,19 @@ fn read(
             }
             .into());
         }
-        recording.records(format!("{name}{}", window.suffix()), rows, options, loaded)?;
+        let name = format!("{name}{}", window.suffix());
+        if recording.times.reaches_beyond(window.start_s, window.end_s) {
+            let time_s = [rows.start, rows.end - 1].map(|row| recording.times.at(row));
+            loaded.warnings.push(LoadWarning::WindowCut { record: name.clone(), time_s });
+        }
+        let shares =
+            |(_, other): &&(String, Range<usize>)| other.start < rows.end && rows.start < other.end;
+        if let Some((other, _)) = taken.iter().find(shares) {
+            let records = [other.clone(), name.clone()];
+            loaded.warnings.push(LoadWarning::WindowsOverlap { records });
+        }
+        taken.push((name.clone(), rows.clone()));
+        recording.records(name, rows, options, loaded)?;
     }
     Ok(())
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use super::sampling::{self, Even, Fault, Sampling};
 use super::selection::TimeSource;
 use super::table::Table;
+use crate::numbers::number;
 use crate::{CommandError, Others, TimeError};
 
 /// Where in time the samples of a file are.
@@ -43,11 +44,10 @@ impl Times {
     }
 
     /// The time of a sample.
-    #[expect(clippy::cast_precision_loss, reason = "an index of a sample is far below 2^53")]
     pub(crate) fn at(&self, row: usize) -> f64 {
         match self {
             Self::Stamps { stamps_s, .. } => stamps_s[row],
-            Self::Even { period_s, .. } => row as f64 * period_s,
+            Self::Even { period_s, .. } => number(row) * period_s,
         }
     }
 
@@ -67,6 +67,17 @@ impl Times {
         let start = (0..count).find(|row| self.at(*row) >= from).unwrap_or(count);
         let end = (start..count).find(|row| self.at(*row) > to).unwrap_or(count);
         start..end
+    }
+
+    /// Whether a window starts or ends more than a step outside of the samples.
+    pub(crate) fn reaches_beyond(&self, start_s: Option<f64>, end_s: Option<f64>) -> bool {
+        let Some(last) = self.samples().checked_sub(1).filter(|last| *last > 0) else {
+            return false;
+        };
+        let [first_s, last_s] = [0, last].map(|row| self.at(row));
+        let step_s = (last_s - first_s) / number(last);
+        start_s.is_some_and(|start| start < first_s - step_s)
+            || end_s.is_some_and(|end| end > last_s + step_s)
     }
 
     /// The period of these samples and their gaps, as indices from the start of the file.

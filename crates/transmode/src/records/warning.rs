@@ -5,7 +5,7 @@ use std::fmt;
 use super::segments::SHORTEST;
 
 /// One thing that was done to a file and that its owner may not expect.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum LoadWarning {
     /// Gaps split a file, or a window of it.
     Split {
@@ -30,6 +30,14 @@ pub(crate) enum LoadWarning {
         /// Samples in all stretches.
         total: usize,
     },
+    /// A window that is longer than its file.
+    WindowCut {
+        record: String,
+        /// Times of its first and of its last sample, in seconds.
+        time_s: [f64; 2],
+    },
+    /// Two windows of one file that have samples in common.
+    WindowsOverlap { records: [String; 2] },
     /// A measured input that rests at zero in a record.
     IdleInput { record: String, column: String },
     /// A record in which `monitor` finds no span.
@@ -48,6 +56,8 @@ impl LoadWarning {
             Self::Split { .. } => "gaps",
             Self::ShortStretches { .. } => "short-stretches",
             Self::LongestStretch { .. } => "longest-stretch",
+            Self::WindowCut { .. } => "window-cut",
+            Self::WindowsOverlap { .. } => "windows-overlap",
             Self::IdleInput { .. } => "idle-input",
             Self::NoSpan { .. } => "no-span",
         }
@@ -64,6 +74,14 @@ impl fmt::Display for LoadWarning {
             Self::LongestStretch { record, samples, total } => write!(
                 f,
                 "only the longest stretch between gaps is used: {record}, {samples} of {total} samples"
+            ),
+            Self::WindowCut { record, time_s: [first, last] } => write!(
+                f,
+                "{record} reaches beyond its file, and is what the file has of it: from {first} s to {last} s"
+            ),
+            Self::WindowsOverlap { records: [first, second] } => write!(
+                f,
+                "{first} and {second} overlap: what they have in common counts twice, as if it had been measured twice"
             ),
             Self::IdleInput { record, column } => {
                 write!(

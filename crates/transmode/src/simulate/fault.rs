@@ -40,6 +40,17 @@ pub enum SimulateError {
         /// The most.
         most: usize,
     },
+    /// A record of an earlier simulation, whose truth would be replaced.
+    #[error(
+        "{} is of an earlier simulation, whose {truth} would be replaced without it; remove it, or choose another folder with --output",
+        file.display()
+    )]
+    OtherSimulation {
+        /// The record.
+        file: PathBuf,
+        /// The file of its truth.
+        truth: &'static str,
+    },
     /// Surfaces that are to move although nothing moves them.
     #[error(
         "--excitation none moves no surface, so that {option} has no meaning; leave one of the two out"

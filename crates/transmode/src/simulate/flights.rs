@@ -95,6 +95,11 @@ impl<'a> Simulator<'a> {
         plans(self.args).iter().map(|plan| plan.name).collect()
     }
 
+    /// Those that records of any flight have.
+    pub(super) fn all_names() -> [&'static str; 4] {
+        [AILERON, RUDDER, BOTH, QUIET].map(|plan| plan.name)
+    }
+
     pub(super) fn samples(&self) -> usize {
         self.samples
     }

@@ -18,7 +18,7 @@ fn the_length_says_how_many_samples_there_are() {
 #[test]
 fn refuses_what_is_no_whole_number_of_samples() {
     check(&[], 3, "no samples");
-    check(&[0; 47], 3, "its 47 bytes are no multiple of 24, one sample of 3 channel(s)");
+    check(&[0; 47], 3, "its 47 bytes are no multiple of 24, one sample of 3 channels");
     check(&[0; 8], 3, "its 8 bytes are no multiple of 24");
     check(&[0; 48], u64::MAX, "no multiple of 18446744073709551615");
     let npy = [npy::MAGIC, &[0; 18]].concat();
