@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     transmode::end_between_files();
-    let (mut out, mut err) = (std::io::stdout().lock(), std::io::stderr().lock());
+    // Standard error is not locked: the thread of a spinner writes to it, too.
+    let (mut out, mut err) = (std::io::stdout().lock(), std::io::stderr());
     let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     // The convention of no-color.org, and terminals that say that they show none.
     let plain = is_set("NO_COLOR") || std::env::var_os("TERM").is_some_and(|term| term == "dumb");
