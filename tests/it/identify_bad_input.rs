@@ -40,7 +40,7 @@ impl Files {
 #[test]
 fn words_that_are_no_value() {
     let files = files();
-    let cases: [Case<'_>; 25] = [
+    let cases: [Case<'_>; 26] = [
         (&["--method", "best"], "invalid value 'best' for '--method <METHOD>'"),
         (&["--order", "0"], "an order is a whole number, at least 1, or auto"),
         (&["--order", "-3"], "an order is a whole number, at least 1, or auto"),
@@ -56,6 +56,7 @@ fn words_that_are_no_value() {
         (&["--band", "a:5"], "a band is written LO:HI"),
         (&["--band", "5:5"], "the band is empty: it ends at 5 rad/s"),
         (&["--band", "5:1"], "the band is empty: it ends at 1 rad/s"),
+        (&["--threads", "0"], "a number of threads is a whole number from 1 to 256"),
         (&["--noise", "-1e-3,1,1"], "a noise level is a positive number"),
         (&["--noise", "0,1,1"], "a noise level is a positive number"),
         (&["--noise", "NaN,1,1"], "a noise level is a positive number"),

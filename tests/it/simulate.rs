@@ -252,7 +252,7 @@ fn words_that_cannot_be() {
     check(&["--sample-period", "0"], "a sample period is a number of seconds");
     check(&["--gust", "-0.1"], "a number that is not negative is needed");
     check(&["--gust", "nan"], "a number that is not negative is needed");
-    check(&["--seed", "-1"], "invalid value '-1'");
+    check(&["--seed", "-1"], "a seed is a whole number from 0");
     check(&["--noise", "loud"], "noise is written snr=100");
     check(&["--noise", "phi=0.1"], "--noise gives phi, which is not among the --outputs");
     check(&["--outputs", "beta,q"], "the sensors are beta, p, r and phi");

@@ -60,6 +60,7 @@ mod sums;
 mod system;
 mod tables;
 mod thinning;
+mod threads;
 mod uncertainty;
 mod validation;
 
@@ -241,7 +242,7 @@ pub fn maximise(
         .enumerate()
         .map(|(index, record)| transform(record, index, &units, options, &mut planner))
         .collect::<Result<Vec<_>, _>>()?;
-    let mut problem = Problem { layout, spectra };
+    let mut problem = Problem { layout, spectra, threads: options.threads };
     let residuals: f64 =
         problem.spectra.iter().map(|spectrum| spectrum.residuals(problem.layout.sensors)).sum();
     let needed = count(problem.layout.identifiable())

@@ -10,11 +10,11 @@ mod text;
 mod warning;
 
 use std::io::Write;
-use std::num::NonZero;
 
 use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
 
 use crate::args::FitArgs;
+use crate::args::values::threads_or_all;
 use crate::records::format_error::FormatError;
 use crate::records::{Progress, in_file};
 use crate::{CommandError, Exit, output};
@@ -32,7 +32,7 @@ pub(crate) fn run(
     let constant_term =
         if args.constant_term { ConstantTerm::Included } else { ConstantTerm::Omitted };
     let structure = Structure::new(orders, constant_term);
-    let options = FitOptions { threads: threads(args), ..FitOptions::default() };
+    let options = FitOptions { threads: threads_or_all(args.threads), ..FitOptions::default() };
     // The names in a file are trimmed as well.
     let (input, output) = (args.input.trim(), args.output.trim());
     if input == output {
@@ -61,9 +61,4 @@ pub(crate) fn run(
         out,
     )?;
     Ok(if warnings.iter().any(|warning| warning.is_doubt()) { Exit::Doubtful } else { Exit::Fine })
-}
-
-fn threads(args: &FitArgs) -> usize {
-    let all = || std::thread::available_parallelism().map_or(1, NonZero::get);
-    args.threads.map_or_else(all, usize::from)
 }

@@ -14,6 +14,8 @@ use super::system::{Layout, System};
 pub(super) struct Problem {
     pub(super) layout: Layout,
     pub(super) spectra: Vec<RecordSpectrum>,
+    /// How many threads sum.
+    pub(super) threads: usize,
 }
 
 /// The coefficients of each record's known signals: for each record and signal, n entries into the state and m into the sensors.
@@ -86,7 +88,7 @@ impl Problem {
             coefficients: coefficients[record].clone(),
             variances: variances.to_vec(),
         };
-        sums(&self.spectra[record], &seen, scalars, keep_spectrum)
+        sums(&self.spectra[record], &seen, scalars, keep_spectrum, self.threads)
     }
 
     /// Evaluates the likelihood; `coefficients` should be close to the best ones, to which the cost then belongs exactly.

@@ -32,7 +32,7 @@ pub(super) fn finished(
         .enumerate()
         .map(|(index, record)| transform(record, index, &units, &known, planner))
         .collect::<Result<Vec<_>, _>>()?;
-    let problem = Problem { layout, spectra };
+    let problem = Problem { layout, spectra, threads: options.threads };
     let system = scaled(&fit.model, &units, &problem.layout);
     let evaluation = settled(&problem, system, &vec![1.0; units.len()]);
     Ok(Finished { problem, evaluation, units })

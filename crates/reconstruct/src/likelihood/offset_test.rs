@@ -37,7 +37,7 @@ pub(super) fn offset_test(
         return None;
     }
     let spectra = problem.spectra.iter().map(RecordSpectrum::without_zero).collect();
-    let without = Problem { layout: problem.layout.clone(), spectra };
+    let without = Problem { layout: problem.layout.clone(), spectra, threads: problem.threads };
     let limits = Limits {
         steps: STEPS,
         step_tolerance: STEP_TOLERANCE,

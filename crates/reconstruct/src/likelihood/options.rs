@@ -102,6 +102,8 @@ pub struct LikelihoodOptions {
     /// The levels are final where no variance changes by more than this part. The default is 1e-3, thirty times less than the
     /// uncertainty of a level after 2000 samples.
     pub level_tolerance: f64,
+    /// How many threads sum over the frequencies of long records; the default is 1. The result does not depend on it.
+    pub threads: usize,
 }
 
 impl Default for LikelihoodOptions {
@@ -120,6 +122,7 @@ impl Default for LikelihoodOptions {
             largest_moves: 3,
             largest_updates: 30,
             level_tolerance: 1e-3,
+            threads: 1,
         }
     }
 }

@@ -6,6 +6,8 @@
 //! b_i by H_i U, entry (s, l) of C by I_s X_l. So the Gram matrix is the sum of Re (D^H Phi D)_ik conj(s_a) s_c, a Kronecker product at each
 //! frequency, and the sum is a product of two matrices with one column per frequency.
 
+use std::ops::Range;
+
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par};
 use nalgebra::{DMatrix, DVector};
@@ -14,9 +16,13 @@ use super::at_frequencies::AtFrequencies;
 use super::lanes::{Lanes, Real, WIDTH};
 use super::spectrum::RecordSpectrum;
 use super::tables::Tables;
+use super::threads::in_order;
 
 /// Frequencies summed by one matrix product.
 const TILE: usize = 8 * WIDTH;
+
+/// Frequencies that one thread sums at a time. A record is cut there whatever the number of threads, so that its sums do not depend on that.
+const SHARE: usize = 512 * TILE;
 
 /// What one record sees of the system: A and C with a feedback (see `feedback.rs`).
 #[derive(Debug)]
@@ -66,6 +72,42 @@ pub(super) struct Sums {
 }
 
 impl Sums {
+    /// Of nothing.
+    fn zero(n: usize, m: usize, count: usize, keep_spectrum: bool) -> Self {
+        let rows = n + m;
+        let (z_rows, w_rows) = (rows * (rows + 1) / 2, count * (count + 1) / 2);
+        Self {
+            rows,
+            real: Mat::zeros(z_rows, w_rows),
+            imaginary: Mat::zeros(z_rows, w_rows),
+            descent: vec![0.0; rows * count],
+            cost: 0.0,
+            log_determinant: 0.0,
+            information: vec![0.0; m * m],
+            score: vec![0.0; m],
+            states: vec![0.0; n * n],
+            spectrum: keep_spectrum.then(Vec::new),
+        }
+    }
+
+    /// Those of the frequencies that follow.
+    fn add(&mut self, other: Self) {
+        let add = |to: &mut [f64], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to += from)
+        };
+        self.real += &other.real;
+        self.imaginary += &other.imaginary;
+        add(&mut self.descent, &other.descent);
+        self.cost += other.cost;
+        self.log_determinant += other.log_determinant;
+        add(&mut self.information, &other.information);
+        add(&mut self.score, &other.score);
+        add(&mut self.states, &other.states);
+        if let (Some(spectrum), Some(more)) = (&mut self.spectrum, other.spectrum) {
+            spectrum.extend(more);
+        }
+    }
+
     /// The entry of the Gram matrix for the cells (row of D, scalar).
     pub(super) fn gram(&self, first: (usize, usize), second: (usize, usize)) -> f64 {
         let ((i, a), (k, c)) = (first, second);
@@ -107,41 +149,44 @@ pub(super) fn sums(
     seen: &Seen,
     scalars: Scalars,
     keep_spectrum: bool,
+    threads: usize,
 ) -> Sums {
     let (n, m) = (seen.b.len(), seen.d.len());
     let count = n + 1 + record.entries.len();
-    let rows = n + m;
-    let (z_rows, w_rows) = (rows * (rows + 1) / 2, count * (count + 1) / 2);
-    let mut sums = Sums {
-        rows,
-        real: Mat::zeros(z_rows, w_rows),
-        imaginary: Mat::zeros(z_rows, w_rows),
-        descent: vec![0.0; rows * count],
-        cost: f64::NAN,
-        log_determinant: 0.0,
-        information: vec![0.0; m * m],
-        score: vec![0.0; m],
-        states: vec![0.0; n * n],
-        spectrum: keep_spectrum.then(|| Vec::with_capacity(record.frequencies())),
+    let mut all = Sums::zero(n, m, count, keep_spectrum);
+    let Some(tables) = Tables::new(record, seen) else {
+        // Without a Schur form there is no cost: NaN is never below anything.
+        all.cost = f64::NAN;
+        return all;
     };
-    // Without a Schur form there is no cost: NaN is never below anything.
-    if let Some(tables) = Tables::new(record, seen) {
+    let frequencies = record.frequencies();
+    let shares: Vec<Range<usize>> = (0..frequencies)
+        .step_by(SHARE)
+        .map(|first| first..frequencies.min(first + SHARE))
+        .collect();
+    let parts = in_order(&shares, threads, |share| {
+        let mut sums = Sums::zero(n, m, count, keep_spectrum);
         let mut totals = Totals::new(n, m, count);
         pulp::Arch::new().dispatch(Loop {
             record,
+            frequencies: share.clone(),
             tables: &tables,
             scalars,
             totals: &mut totals,
             sums: &mut sums,
         });
         totals.give(&mut sums);
-    }
-    sums
+        sums
+    });
+    parts.into_iter().for_each(|part| all.add(part));
+    all
 }
 
 /// The loop over frequencies, compiled once for each kind of vectors.
 struct Loop<'a> {
     record: &'a RecordSpectrum,
+    /// From a multiple of [`WIDTH`] on.
+    frequencies: Range<usize>,
     tables: &'a Tables,
     scalars: Scalars,
     totals: &'a mut Totals,
@@ -159,18 +204,16 @@ impl pulp::WithSimd for Loop<'_> {
 
 #[inline(always)]
 fn add_up(parts: Loop<'_>) {
-    let Loop { record, tables, scalars, totals, sums } = parts;
+    let Loop { record, frequencies, tables, scalars, totals, sums } = parts;
     let mut tile = Tile::new(sums.real.nrows(), sums.real.ncols());
     let mut at = AtFrequencies::new(tables);
-    let frequencies = record.frequencies();
-    let mut first = 0;
-    while first < frequencies {
+    for first in frequencies.clone().step_by(WIDTH) {
         at.load(record, tables, first);
         at.evaluate(record, tables);
         let cost = at.weight * at.cost();
         totals.cost += cost;
         if let Some(spectrum) = &mut sums.spectrum {
-            spectrum.extend(&cost.0[..WIDTH.min(frequencies - first)]);
+            spectrum.extend(&cost.0[..WIDTH.min(frequencies.end - first)]);
         }
         at.add_levels(totals);
         match scalars {
@@ -182,7 +225,6 @@ fn add_up(parts: Loop<'_>) {
         if tile.filled == TILE {
             tile.flush(sums);
         }
-        first += WIDTH;
     }
     tile.flush(sums);
 }

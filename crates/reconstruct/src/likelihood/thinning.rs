@@ -22,7 +22,7 @@ pub(super) fn thinned(problem: &Problem) -> Option<Thinned> {
             thin
         })
         .collect();
-    let problem = Problem { layout: problem.layout.clone(), spectra };
+    let problem = Problem { layout: problem.layout.clone(), spectra, threads: problem.threads };
     (2 * after <= before).then_some(Thinned { problem, largest_weight })
 }
 

@@ -49,6 +49,9 @@ fn check_options(
     sensors: usize,
     options: &LikelihoodOptions,
 ) -> Result<(), ReconstructError> {
+    if options.threads == 0 {
+        return Err(option("the number of threads", "0; at least 1 is needed".to_owned()));
+    }
     check_tolerance("the tolerance of the last step", options.step_tolerance)?;
     check_tolerance("the tolerance of the noise levels", options.level_tolerance)?;
     match &options.noise {

@@ -63,6 +63,8 @@ pub struct Options {
     pub profile: bool,
     /// The most steps of the second stage's search between two updates of the noise levels; by default 100.
     pub largest_steps: usize,
+    /// How many threads the second stage has for long records; by default 1. The result does not depend on it.
+    pub threads: usize,
     /// For [`Method::AsPrinted`].
     pub printed: AsPrintedOptions,
 }
@@ -84,6 +86,7 @@ impl Default for Options {
             hold: second.hold,
             profile: false,
             largest_steps: second.largest_steps,
+            threads: second.threads,
             printed: AsPrintedOptions::default(),
         }
     }
@@ -139,6 +142,7 @@ impl Options {
             known_inputs: self.known_inputs.clone(),
             hold: self.hold,
             largest_steps: self.largest_steps,
+            threads: self.threads,
             ..LikelihoodOptions::default()
         })
     }

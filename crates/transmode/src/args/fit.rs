@@ -48,8 +48,8 @@ pub(crate) struct FitArgs {
     pub(crate) constant_term: bool,
 
     /// Threads that sum [default: one for each processor]. The result does not depend on it.
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
-    pub(crate) threads: Option<u16>,
+    #[arg(long, value_name = "N", value_parser = super::values::threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<usize>,
 
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
     #[arg(long, value_name = "FILE|-")]
@@ -64,11 +64,6 @@ pub(super) fn order(text: &str) -> Result<usize, String> {
 fn channels(text: &str) -> Result<u64, String> {
     let found = text.trim().parse().ok().filter(|channels| *channels > 0);
     found.ok_or_else(|| "a number of channels is a whole number, at least 1".to_owned())
-}
-
-fn threads(text: &str) -> Result<u16, String> {
-    let found = text.trim().parse().ok().filter(|threads| (1..=256).contains(threads));
-    found.ok_or_else(|| "a number of threads is a whole number from 1 to 256".to_owned())
 }
 
 const FIT_HELP: &str = "\

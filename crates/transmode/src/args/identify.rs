@@ -7,7 +7,7 @@ use clap::ValueHint;
 
 use super::FileArgs;
 use super::values::{
-    Band, HoldAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order,
+    Band, HoldAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order, threads,
 };
 
 /// Names the modes of a system from two or more records of its sensors.
@@ -82,6 +82,10 @@ pub(crate) struct IdentifyArgs {
     /// As printed: anticausal length of the FIR factor in samples, d [default: 25].
     #[arg(long, value_name = "D", value_parser = order, allow_negative_numbers = true)]
     pub(crate) anticausal: Option<usize>,
+
+    /// Threads for long records, for the method ml [default: one for each processor]. The result does not depend on it.
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<usize>,
 
     /// Options from a TOML file, each by its long name, and files = [..]; lists are arrays. The command line wins.
     #[arg(long, value_name = "run.toml")]

@@ -1,5 +1,6 @@
 //! What words of a command line mean, where they are more than a number or a name.
 
+use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -160,6 +161,18 @@ pub(crate) fn level(text: &str) -> Result<f64, String> {
 
 fn positive(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value > 0.0)
+}
+
+/// A number of threads.
+pub(crate) fn threads(text: &str) -> Result<usize, String> {
+    let found = text.trim().parse().ok().filter(|threads| (1..=256).contains(threads));
+    found.ok_or_else(|| "a number of threads is a whole number from 1 to 256".to_owned())
+}
+
+/// The number of threads asked for, or one for each processor.
+pub(crate) fn threads_or_all(asked: Option<usize>) -> usize {
+    let all = || std::thread::available_parallelism().map_or(1, NonZero::get);
+    asked.unwrap_or_else(all)
 }
 
 /// An order of a model.

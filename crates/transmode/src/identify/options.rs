@@ -8,7 +8,7 @@ use reconstruct::{
 };
 
 use crate::args::IdentifyArgs;
-use crate::args::values::{HoldAsked, MethodName, OffsetsAsked, OrderAsked};
+use crate::args::values::{HoldAsked, MethodName, OffsetsAsked, OrderAsked, threads_or_all};
 use crate::{CommandError, OptionError};
 
 /// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
@@ -19,7 +19,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
     use MethodName::{AsPrinted, Ml, Subspace};
     const BOTH: &[MethodName] = &[Ml, Subspace];
     let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
-    let known: [(&'static str, bool, &[MethodName]); 13] = [
+    let known: [(&'static str, bool, &[MethodName]); 14] = [
         ("--order", args.order.is_some(), BOTH),
         ("--offsets with deviations", deviations, &[Ml]),
         ("--offsets", args.offsets.is_some(), BOTH),
@@ -30,6 +30,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
         ("--noise", !args.noise.is_empty(), BOTH),
         ("--noise-record", args.noise_record.is_some(), BOTH),
         ("--known-input", !args.known_input.is_empty(), BOTH),
+        ("--threads", args.threads.is_some(), &[Ml]),
         ("--iir", args.iir.is_some(), &[AsPrinted]),
         ("--causal", args.causal.is_some(), &[AsPrinted]),
         ("--anticausal", args.anticausal.is_some(), &[AsPrinted]),
@@ -85,6 +86,7 @@ pub(super) fn options(
         Some(HoldAsked::FirstOrder) => Some(Hold::FirstOrder),
     };
     options.profile = true;
+    options.threads = threads_or_all(args.threads);
     options.band = band(args, record)?;
     options.feedthrough_sensors = feedthrough(args, record, &sensors)?;
     options.noise = match noise {

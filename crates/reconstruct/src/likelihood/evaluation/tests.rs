@@ -76,7 +76,7 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
     let mut off = |x: f64| x * (1.0 + 0.02 * normal.next());
     let b = system.b.iter().map(|b| b.map(&mut off)).collect();
     let c = system.c.map(&mut off);
-    (Problem { layout, spectra }, System { b, c, ..system })
+    (Problem { layout, spectra, threads: 1 }, System { b, c, ..system })
 }
 
 fn settle(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {

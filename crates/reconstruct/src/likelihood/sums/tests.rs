@@ -11,11 +11,20 @@ use crate::{Channel, Record};
 
 /// The sums of one record at the true system, in sensors of unit noise.
 fn at_truth(record: &Record, model: &crate::SharedModel, scalars: Scalars) -> Sums {
+    on_threads(1, record, model, scalars)
+}
+
+fn on_threads(
+    threads: usize,
+    record: &Record,
+    model: &crate::SharedModel,
+    scalars: Scalars,
+) -> Sums {
     let spectrum =
         transform(record, 0, &[1.0; 3], &LikelihoodOptions::default(), &mut RealFftPlanner::new());
     let layout =
         Layout { order: 3, sensors: 3, records: 1, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
-    let problem = Problem { layout, spectra: vec![spectrum.unwrap()] };
+    let problem = Problem { layout, spectra: vec![spectrum.unwrap()], threads };
     let system = System {
         a: model.a.clone(),
         c: model.c.clone(),
@@ -76,6 +85,26 @@ fn the_spectrum_of_costs_adds_up() {
     let costs = sums.spectrum.clone().unwrap();
     assert_eq!(costs.len(), 21);
     assert!((costs.iter().sum::<f64>() / sums.cost - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_long_record_has_the_same_sums_on_any_number_of_threads() {
+    let mut normal = Normal::new(4);
+    let model = system(&[Complex::new(0.7, 0.5), Complex::new(0.6, 0.0)], 3, 1, &mut normal);
+    // Two whole shares and a part of one.
+    let samples = 5 * SHARE + 7;
+    let record = fly(&model, &[samples], &QUIET, &mut normal).records.remove(0);
+    let [one, two, three] =
+        [1, 2, 3].map(|threads| on_threads(threads, &record, &model, Scalars::Estimated));
+    for other in [&two, &three] {
+        assert_eq!((&one.real, &one.imaginary), (&other.real, &other.imaginary));
+        assert_eq!((&one.descent, &one.score), (&other.descent, &other.score));
+        assert_eq!(one.cost.to_bits(), other.cost.to_bits());
+        assert_eq!(one.spectrum, other.spectrum);
+    }
+    let costs = one.spectrum.unwrap();
+    assert_eq!(costs.len(), samples.div_ceil(2));
+    assert!((costs.iter().sum::<f64>() / one.cost - 1.0).abs() < 1e-12);
 }
 
 #[test]
