@@ -42,6 +42,20 @@ fn plain(number: f64) -> String {
     format!("{number:?}")
 }
 
+/// A table whose time is that of a clock, from a minute before midnight on: `stamp` writes the day, 0 or 1, and the time of day.
+fn clocked(columns: &[Vec<f64>; 4], stamp: impl Fn(usize, &str) -> String) -> Vec<u8> {
+    let row = |k: usize| {
+        let tenths = 863_400 + k;
+        let (day, second) = (tenths / 864_000, tenths % 864_000 / 10);
+        let [hour, minute, second] = [second / 3600, second / 60 % 60, second % 60];
+        let clock = format!("{hour:02}:{minute:02}:{second:02}.{}00", tenths % 10);
+        let numbers = [1, 2, 3].map(|column| plain(columns[column][k]));
+        format!("{},{}\n", stamp(day, &clock), numbers.join(","))
+    };
+    let rows: String = (0..columns[0].len()).map(row).collect();
+    format!("time,beta,p,r\n{rows}").into_bytes()
+}
+
 /// Runs `identify` on two files and reads its JSON.
 fn identify(files: &[String], words: &[&str]) -> (Exit, Value) {
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
@@ -109,8 +123,12 @@ fn one_record_is_the_same_in_every_format() {
         variables.push(("title", 4, [1, 2], &[0.0]));
         mat(version, &variables)
     };
-    let makes: [(&str, Make<'_>); 8] = [
+    let makes: [(&str, Make<'_>); 10] = [
         ("csv", &csv),
+        ("day.csv", &|c| {
+            clocked(c, |day, clock| format!("{}T{clock}", ["2026-12-31", "2027-01-01"][day]))
+        }),
+        ("clock.csv", &|c| clocked(c, |_, clock| clock.to_owned())),
         ("txt", &semicolons),
         ("tsv", &tabs),
         ("csv.gz", &|c| gzip(&csv(c))),

@@ -86,7 +86,7 @@ pub(super) fn inspect(
             findings.push(Finding { weight: Weight::Problem, code: "no-time", text });
         }
         selected = selection.select(file, format, headings)?;
-        Ok(selected.sensors.iter().chain(&selected.time).map(|wanted| wanted.index).collect())
+        Ok(selected.chosen())
     };
     let mut table = source::read(file, &mut choose, progress)?;
     let factor = selected.time.map(|time| time.factor);

@@ -163,8 +163,7 @@ fn recording<'a>(
     let mut choose = |format: Format, headings: &[_]| {
         let mut found = options.selection.select(file, format, headings)?;
         known_inputs::select(file, headings, options, &mut found)?;
-        // Time comes last.
-        let chosen = found.sensors.iter().chain(&found.time).map(|wanted| wanted.index).collect();
+        let chosen = found.chosen();
         selected = Some(found);
         Ok(chosen)
     };

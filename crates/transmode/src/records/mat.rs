@@ -86,7 +86,7 @@ pub(crate) fn read(
     if headings.iter().all(|heading| heading.fault.is_some()) {
         return Err(in_file(file, &FormatError::NoNumbers { found: kinds(&places) }));
     }
-    let chosen = choose(Format::Mat, &headings)?;
+    let chosen = choose(Format::Mat, &headings)?.channels;
     let mut values = vec![Vec::new(); chosen.len()];
     for (index, place) in places.iter().enumerate() {
         let mut wanted: Vec<(usize, usize)> = Vec::new();

@@ -67,7 +67,7 @@ pub(crate) fn read(
     let samples = usize::try_from(placement.samples()).ok();
     let heading = |index: u64| Heading { samples, ..Heading::named(index.to_string()) };
     let headings: Vec<Heading> = (0..placement.channels()).map(heading).collect();
-    let chosen = choose(Format::Npy, &headings)?;
+    let chosen = choose(Format::Npy, &headings)?.channels;
     let fault = |source| CommandError::Read { file: file.to_owned(), source };
     let values = placement.read(&mut source, &chosen, |bytes| bar.advance(bytes)).map_err(fault)?;
     let table = Table { format: Format::Npy, headings, chosen, values, places: Places::Samples };

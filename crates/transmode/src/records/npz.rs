@@ -69,7 +69,7 @@ pub(crate) fn read(
             }
         }
     }
-    let chosen = choose(Format::Npz, &headings)?;
+    let chosen = choose(Format::Npz, &headings)?.channels;
     let mut values = vec![Vec::new(); chosen.len()];
     for (at, member) in members.iter().enumerate() {
         let wanted: Vec<_> = chosen

@@ -43,7 +43,7 @@ pub(crate) fn load(
             }
             other => other,
         })?;
-        Ok(selected.sensors.iter().chain(&selected.time).map(|wanted| wanted.index).collect())
+        Ok(selected.chosen())
     };
     let mut table = source::read(file, &mut choose, progress)?;
     let factor = selected.time.map(|time| time.factor);

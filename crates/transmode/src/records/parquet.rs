@@ -46,7 +46,7 @@ pub(crate) fn read(
     };
     let headings: Vec<Heading> =
         metadata.file_metadata().schema_descr().columns().iter().map(heading).collect();
-    let chosen = choose(Format::Parquet, &headings)?;
+    let chosen = choose(Format::Parquet, &headings)?.channels;
     let mut values = vec![Vec::new(); chosen.len()];
     for index in 0..reader.num_row_groups() {
         let group = reader.get_row_group(index).map_err(fault)?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::format::Format;
-use super::table::Heading;
+use super::table::{Chosen, Heading};
 use super::unit::Unit;
 use crate::{CommandError, SelectionError, TimeError};
 
@@ -46,6 +46,14 @@ pub(crate) struct Wanted {
     pub(crate) factor: f64,
     /// The unit after conversion, where the file states one.
     pub(crate) si: Option<&'static str>,
+}
+
+impl Selected {
+    /// The channels to read: the sensors, then time.
+    pub(crate) fn chosen(&self) -> Chosen {
+        let channels = self.sensors.iter().chain(&self.time).map(|wanted| wanted.index).collect();
+        Chosen { channels, with_time: self.time.is_some() }
+    }
 }
 
 impl Selection {

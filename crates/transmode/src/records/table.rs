@@ -29,8 +29,17 @@ pub(crate) struct Table {
     pub(crate) places: Places,
 }
 
-/// Chooses channels by their headings: which indices, in which order, each at most once.
-pub(crate) type Choose<'a> = dyn FnMut(Format, &[Heading]) -> Result<Vec<usize>, CommandError> + 'a;
+/// Which channels are read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Chosen {
+    /// Their indices in the order wanted, each at most once.
+    pub(crate) channels: Vec<usize>,
+    /// Whether the last of them is time, which a text may write as a clock shows it.
+    pub(crate) with_time: bool,
+}
+
+/// Chooses channels by their headings.
+pub(crate) type Choose<'a> = dyn FnMut(Format, &[Heading]) -> Result<Chosen, CommandError> + 'a;
 
 /// What a message calls a row.
 #[derive(Clone, Debug, PartialEq, Eq)]

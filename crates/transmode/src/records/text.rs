@@ -2,10 +2,12 @@
 //!
 //! A header line names the columns; fields are separated by commas, semicolons or tabs, whichever the header has most of. Where commas do
 //! not separate, a decimal comma is read as well. Blank lines and lines that start with `#` or `%` are passed over; a comment right above
-//! rows of numbers is their header, as `numpy.savetxt` writes it. A row of units may stand below the header.
+//! rows of numbers is their header, as `numpy.savetxt` writes it. A row of units may stand below the header. The column of time may hold dates and times
+//! of day (`clock.rs`).
 //!
 //! Memory: the numbers of the chosen columns, and the longest row. Everything else is forgotten line by line.
 
+mod clock;
 mod dialect;
 mod header;
 mod lines;
@@ -17,8 +19,9 @@ use std::path::{Path, PathBuf};
 
 use super::format::Format;
 use super::format_error::FormatError;
-use super::table::{Choose, Heading, Places, RowLines, Table};
+use super::table::{Choose, Chosen, Heading, Places, RowLines, Table};
 use crate::{CommandError, TableError};
+use clock::Clock;
 pub(crate) use header::heading;
 use lines::{LONGEST_ROW, LineError, Lines, Row};
 
@@ -57,6 +60,9 @@ struct Columns<'a> {
     lines: RowLines,
     /// The decimal mark of the numbers so far.
     mark: Option<u8>,
+    /// The column of time, which may hold what a clock shows.
+    time: Option<usize>,
+    clock: Clock,
 }
 
 /// The top of a table.
@@ -71,12 +77,19 @@ impl<R: Read> Reader<R> {
         self.check_start()?;
         let top = self.top()?;
         let headings = top.headings;
-        let chosen = choose(self.format, &headings)?;
+        let Chosen { channels: chosen, with_time } = choose(self.format, &headings)?;
         let mut slots = vec![None; headings.len()];
         chosen.iter().enumerate().for_each(|(place, column)| slots[*column] = Some(place));
         let values = vec![Vec::new(); chosen.len()];
-        let mut columns =
-            Columns { headings: &headings, slots, values, lines: RowLines::default(), mark: None };
+        let mut columns = Columns {
+            headings: &headings,
+            slots,
+            values,
+            lines: RowLines::default(),
+            mark: None,
+            time: if with_time { chosen.last().copied() } else { None },
+            clock: Clock::default(),
+        };
         if let Some((line, texts)) = &top.first {
             let count = texts.len();
             self.check_length(*line, count, headings.len())?;
@@ -282,6 +295,17 @@ impl Columns<'_> {
             let text = shortened(&String::from_utf8_lossy(field));
             Fault { column: self.headings[index].name.clone(), text, kind }
         };
+        let is_time = self.time == Some(index) && !field.is_empty();
+        if is_time && (self.clock.is_read() || self.values[*slot].is_empty()) {
+            match self.clock.seconds(field) {
+                Some(seconds) => {
+                    self.values[*slot].push(seconds);
+                    return Ok(());
+                }
+                None if self.clock.is_read() => return Err(fault(FaultKind::NotANumber)),
+                None => {}
+            }
+        }
         let number = dialect::number(field, separator).filter(|number| !number.value.is_infinite());
         let Some(number) = number else {
             let is_text = std::str::from_utf8(field).is_ok();

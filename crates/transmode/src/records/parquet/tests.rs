@@ -6,6 +6,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 
 use super::super::progress::Progress;
+use super::super::table::Chosen;
 use super::*;
 
 /// Two groups of rows: time, a sensor with a missing sample, whole numbers, text.
@@ -41,7 +42,8 @@ fn file(folder: &Path) -> std::path::PathBuf {
 fn loaded(chosen: &[usize]) -> Result<Table, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
-    let mut choose = |_: Format, _: &[Heading]| Ok(chosen.to_vec());
+    let mut choose =
+        |_: Format, _: &[Heading]| Ok(Chosen { channels: chosen.to_vec(), with_time: false });
     super::super::source::read(&path, &mut choose, Progress::Shown)
         .map_err(|error| error.to_string())
 }
@@ -68,7 +70,9 @@ fn any_changed_byte_gets_an_answer() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
     let whole = std::fs::read(&path).unwrap();
-    let mut choose = |_: Format, headings: &[Heading]| Ok((0..headings.len().min(3)).collect());
+    let mut choose = |_: Format, headings: &[Heading]| {
+        Ok(Chosen { channels: (0..headings.len().min(3)).collect(), with_time: false })
+    };
     let (mut read, mut refused) = (0, 0);
     for place in 0..whole.len() {
         for change in [0x01, 0x10, 0x80, 0xff] {
@@ -92,7 +96,9 @@ fn a_damaged_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
     let whole = std::fs::read(&path).unwrap();
-    let mut choose = |_: Format, headings: &[Heading]| Ok((0..headings.len().min(3)).collect());
+    let mut choose = |_: Format, headings: &[Heading]| {
+        Ok(Chosen { channels: (0..headings.len().min(3)).collect(), with_time: false })
+    };
     for length in (4..whole.len()).step_by(7) {
         std::fs::write(&path, &whole[..length]).unwrap();
         assert!(

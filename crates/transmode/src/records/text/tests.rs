@@ -1,7 +1,9 @@
 use super::*;
 
 fn parse(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<Table, CommandError> {
-    let mut all = |_: Format, headings: &[Heading]| Ok((0..headings.len()).collect());
+    let mut all = |_: Format, headings: &[Heading]| {
+        Ok(Chosen { channels: (0..headings.len()).collect(), with_time: false })
+    };
     read(Path::new("f.csv"), Format::Text, text.as_ref(), &mut all)
 }
 
@@ -144,7 +146,9 @@ fn other_ways_to_write_a_table() {
 
 #[test]
 fn only_the_chosen_columns_need_to_be_numbers() {
-    let mut last = |_: Format, headings: &[Heading]| Ok(vec![headings.len() - 1, 0]);
+    let mut last = |_: Format, headings: &[Heading]| {
+        Ok(Chosen { channels: vec![headings.len() - 1, 0], with_time: false })
+    };
     let text = b"t,state,b\n0,on,1\n1,\xff,2\n";
     let table = read(Path::new("f.csv"), Format::Text, &text[..], &mut last).unwrap();
     assert_eq!(table.values, [[1.0, 2.0], [0.0, 1.0]]);

@@ -1,0 +1,47 @@
+use super::*;
+
+fn seconds(fields: &[&str]) -> Vec<Option<f64>> {
+    let mut clock = Clock::default();
+    fields.iter().map(|field| clock.seconds(field.as_bytes())).collect()
+}
+
+#[test]
+fn every_way_of_writing_a_time() {
+    let at = |last: f64| vec![Some(45_296.25), Some(last)];
+    assert_eq!(seconds(&["12:34:56.25", "12:34:56.30"]), at(45_296.3));
+    assert_eq!(seconds(&["12:34:56,25", "12:34:57"]), at(45_297.0));
+    assert_eq!(seconds(&["330:12:34:56.25", "331:12:34:56.25"]), at(131_696.25));
+    assert_eq!(seconds(&["2026-11-26T12:34:56.25", "2026-11-27T12:34:56.25"]), at(131_696.25));
+    assert_eq!(seconds(&["2026-11-26 12:34:56.25", "2026-11-26 12:34:56.3"]), at(45_296.3));
+    let with_offset = ["2026-11-26T14:34:56.25+02:00", "2026-11-26T12:34:56.3Z"];
+    assert_eq!(seconds(&with_offset), at(45_296.3));
+}
+
+#[test]
+fn a_time_of_day_passes_midnight() {
+    let found = seconds(&["23:59:59.9", "00:00:00.0", "00:00:00.1"]);
+    assert_eq!(found, [Some(86_399.9), Some(86_400.0), Some(86_400.1)]);
+    // A little back is no midnight, and no business of the clock.
+    assert_eq!(seconds(&["12:00:01", "12:00:00"]), [Some(43_201.0), Some(43_200.0)]);
+}
+
+#[test]
+fn what_is_no_time_or_another_kind_of_one() {
+    for text in [
+        "",
+        "1.5",
+        "12:34",
+        "25:00:00",
+        "12:60:00",
+        "0:12:00:00",
+        "367:12:00:00",
+        "12:34:56.x",
+        "a:b:c",
+        "2026-02-30T12:00:00",
+        "2026-11-26",
+    ] {
+        assert_eq!(seconds(&[text]), [None], "{text}");
+    }
+    assert_eq!(seconds(&["12:00:00", "330:12:00:00"])[1], None);
+    assert_eq!(seconds(&["2026-11-26T12:00:00", "2026-11-26T12:00:00Z"])[1], None);
+}
