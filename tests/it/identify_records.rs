@@ -134,7 +134,26 @@ fn the_printed_method_takes_the_longest_stretch() {
     assert_eq!(json["order"], 4);
 }
 
-/// In the first flight a yaw damper moves the rudder, too, and what it does is measured; in the second it rests.
+/// Doublets, fifty samples a second: the gap behind three states is the largest by far, and four are there.
+#[test]
+fn the_likelihood_decides_where_the_gaps_leave_the_order_open() {
+    let folder = Folder::new();
+    let place = folder.path("flights");
+    let words = ["--excitation", "doublet", "--sample-period", "0.02", "--noise", "snr=30"];
+    let more = ["--duration", "60", "--seed", "3", "-o", place.to_str().unwrap()];
+    let ran = transmode(&[&["simulate", "paper"], &words[..], &more].concat());
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let files = ["aileron.csv", "rudder.csv"].map(|name| place.join(name));
+    let [aileron, rudder] = files.each_ref().map(|file| file.to_str().unwrap());
+    let (ran, json) = identify(&[aileron, rudder]);
+    assert_eq!((ran.exit, codes(&json)), (Exit::Fine, vec![]), "{}", json["warnings"]);
+    near_the_truth(&json);
+    let text = transmode(&["identify", aileron, rudder]).out;
+    let line = text.lines().find(|line| line.starts_with("order: 4, by a gap of 11 ")).unwrap();
+    assert!(line.contains("(next are 200 for 3,") && line.contains(", and e^"), "{line}");
+    assert!(line.ends_with(" times as likely as 3"), "{line}");
+}
+
 #[test]
 fn windows_that_are_not_what_they_seem_are_told() {
     let [aileron, rudder] =
@@ -152,6 +171,7 @@ fn windows_that_are_not_what_they_seem_are_told() {
     assert_eq!(codes(&identify(&words).1), [""; 0]);
 }
 
+/// In the first flight a yaw damper moves the rudder, too, and what it does is measured; in the second it rests.
 #[test]
 fn a_measured_input_is_no_second_excitation() {
     let folder = Folder::new();

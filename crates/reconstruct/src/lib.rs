@@ -74,7 +74,8 @@ pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;
 pub use pair::{Containment, Statement, Theorem, TransmissibilityPair, containment};
 pub use reconstruction::{
-    FoundMode, Method, Options, Reconstruction, ReconstructionDoubt, reconstruct, spectral_fits,
+    ComparedOrder, FoundMode, Method, Options, Reconstruction, ReconstructionDoubt, reconstruct,
+    spectral_fits,
 };
 pub use record::{Channel, Record};
 pub use shared::{SharedZero, SharedZeros, shared_zeros};

@@ -107,6 +107,9 @@ pub struct LikelihoodFit {
     /// Minus twice the logarithm of the other hold's likelihood over this one's, with 2 for each number of a record that one of them has more; at most 20
     /// where the excitation is held. `None` where the hold was given, or where the search for the other one did not arrive.
     pub hold_evidence: Option<f64>,
+    /// Minus twice the logarithm of the likelihood, up to a constant of the records and of [`LikelihoodOptions::noise`], with 2 for each number that was fitted: Akaike's criterion, by
+    /// which fits of several orders or under several holds compare.
+    pub criterion: f64,
     /// Directions of the parameters that the records determine.
     pub determined: usize,
     /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each entry of d_j.

@@ -2,6 +2,7 @@
 
 mod doubt;
 mod options;
+mod orders;
 mod spectra;
 mod starts;
 
@@ -10,13 +11,15 @@ use nalgebra::DMatrix;
 
 pub use doubt::ReconstructionDoubt;
 pub use options::{Method, Options};
+pub use orders::ComparedOrder;
+use orders::Fitted;
 pub use spectra::spectral_fits;
 use starts::FirstStage;
 
 use crate::{
     AsPrinted, ChiSquared, Estimate, ExcitationRank, Intersection, LikelihoodFit, ModeEstimate,
     NoiseOrigin, OrderEvidence, ReconstructError, Record, SharedModel, SubspaceMode, Whiteness,
-    as_printed, maximise, profile_intervals,
+    as_printed, profile_intervals,
 };
 
 /// A mode of the reconstructed system.
@@ -47,6 +50,8 @@ pub struct Reconstruction {
     pub model: Option<SharedModel>,
     /// The number of states, with the evidence for it; none from the printed method.
     pub order: Option<OrderEvidence>,
+    /// Orders that the gaps left open, and that were compared by their likelihoods; from the likelihood alone.
+    pub compared_orders: Vec<ComparedOrder>,
     /// Standard deviation of each sensor's noise in its unit. Without a deviation of their own (0) where they were given or come from the subspaces;
     /// none from the printed method or where the noise has a spectrum.
     pub noise_levels: Option<Vec<Estimate>>,
@@ -77,6 +82,9 @@ pub struct Reconstruction {
 /// Signal subspaces are intersected with half, once and one and a half times the block rows of their rule: together they give the order, and for
 /// the likelihood the first guess of the noise levels and the starts, of which the best top counts. Where the records hold nothing but rounding errors beside
 /// the signal, it is given a level of 1e-9 of each sensor's root mean square, so that its deviations are upper bounds.
+///
+/// Where another order has the larger gap, or a fit is doubtful and a higher order has some gap as well, those orders are fitted, too; the likelihood then decides, for a higher
+/// order only if its fit leaves nothing to doubt.
 ///
 /// What makes the result untrustworthy is in its [`doubts`](Reconstruction::doubts), each of which can be printed.
 ///
@@ -154,6 +162,7 @@ fn printed(records: &[Record], options: &Options) -> Result<Reconstruction, Reco
         modes: ordered(modes),
         model: None,
         order: None,
+        compared_orders: Vec::new(),
         noise_levels: None,
         goodness: None,
         whiteness: Vec::new(),
@@ -180,6 +189,7 @@ fn subspace(stage: FirstStage) -> Result<Reconstruction, ReconstructError> {
         modes: ordered(modes.collect()),
         model: Some(found.model.clone()),
         order: Some(order),
+        compared_orders: Vec::new(),
         noise_levels: white.then(|| levels.collect()),
         goodness: None,
         whiteness: Vec::new(),
@@ -192,16 +202,13 @@ fn subspace(stage: FirstStage) -> Result<Reconstruction, ReconstructError> {
 }
 
 fn likelihood(records: &[Record], options: &Options) -> Result<Reconstruction, ReconstructError> {
-    let FirstStage { intersection: first, order, doubts, starts } =
-        starts::first_stage(records, options)?;
-    let second = options.likelihood(records, &first)?;
-    let fit = maximise(records, &starts, &second)?;
+    let (Fitted { stage, fit, doubts, compared }, second) = orders::fitted(records, options)?;
+    let FirstStage { intersection: first, order, .. } = stage;
     let intervals = if options.profile {
         profile_intervals(records, &fit, &second)?
     } else {
         vec![None; fit.modes.len()]
     };
-    let doubts = doubt::doubts(records, &first, doubts, &fit, &options.noise);
     let modes = fit.modes.iter().zip(intervals).map(|(estimate, interval_95)| FoundMode {
         strength: strength(&first, &estimate.mode),
         mode: estimate.mode.clone(),
@@ -213,6 +220,7 @@ fn likelihood(records: &[Record], options: &Options) -> Result<Reconstruction, R
         modes: ordered(modes.collect()),
         model: Some(fit.model.clone()),
         order: Some(order),
+        compared_orders: compared,
         noise_levels: fit.noise_levels.clone(),
         goodness: Some(fit.chi_squared),
         whiteness: fit.whiteness.clone(),

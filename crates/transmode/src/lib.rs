@@ -14,6 +14,7 @@ mod inspect;
 mod modes;
 mod monitor;
 mod numbers;
+mod orders;
 mod output;
 mod pages;
 mod records;

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use super::climb::{Climb, settled_again};
 use super::evaluation::Problem;
 use super::hold::FirstOrder;
+use super::holds::PRICE;
 use super::offset_test::offset_test;
 use super::options::{LikelihoodNoise, LikelihoodOptions, Offsets};
 use super::search::Found;
@@ -26,8 +27,9 @@ pub(super) fn conclude(
     let layout = &problem.layout;
     let estimated = matches!(options.noise, LikelihoodNoise::Estimated { .. });
     let Found { climb, best_start, reports, rivals, moves } = found;
-    let Climb { mut evaluation, mut variances, search, .. } = climb;
+    let Climb { mut evaluation, mut variances, search, objective } = climb;
     let parameters = count(layout.identifiable() + evaluation.nuisance_rank);
+    let criterion = objective + PRICE * parameters;
     let degrees_of_freedom = (residuals - parameters).max(1.0);
     if estimated {
         // The restricted likelihood leaves out the excitations; the parameters took their share of the residuals, too.
@@ -96,6 +98,7 @@ pub(super) fn conclude(
         feedthrough_sensors: untied.feedthrough,
         hold: layout.hold,
         hold_evidence,
+        criterion,
         determined: parameters.determined,
         identifiable: layout.identifiable(),
         noise_levels,

@@ -14,7 +14,7 @@ const DECISIVE: f64 = 6.0;
 /// Where the other hold's objective will stay above by more than this, nobody asks by how much: a likelihood ratio of e^10.
 pub(super) const CERTAIN: f64 = 20.0;
 /// What a number costs that one hold has and the other has not, as in Akaike's criterion: both fit noise with it.
-const PRICE: f64 = 2.0;
+pub(super) const PRICE: f64 = 2.0;
 
 /// Searches under the hold that was asked for, or under the more likely one; the problem is left with it. With it comes what the other one's
 /// objective lies above, at most [`CERTAIN`] where the excitation is held; `None` where that was not compared or is not known.

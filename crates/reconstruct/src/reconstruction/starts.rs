@@ -98,12 +98,12 @@ fn means(first: &Intersection, others: &[Intersection]) -> Vec<(usize, f64)> {
     first.order.gaps.iter().map(|(order, _)| *order).filter(known).map(mean).collect()
 }
 
-fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
+pub(super) fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
     gaps.iter().find(|(other, _)| *other == order).map_or(1.0, |(_, gap)| *gap)
 }
 
 /// The intersection's own doubts, but for those about the order.
-fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<ReconstructionDoubt> {
+pub(super) fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<ReconstructionDoubt> {
     let combined = !order.asked;
     let about_order = |doubt: &SubspaceDoubt| {
         matches!(doubt, SubspaceDoubt::WeakOrder { .. } | SubspaceDoubt::ContestedOrder { .. })

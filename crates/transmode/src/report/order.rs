@@ -1,10 +1,11 @@
 //! Why the order is what it is.
 
+use reconstruct::{ComparedOrder, OrderEvidence};
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points, Stems};
 
 use super::Input;
 use super::style::coordinate;
-use crate::CommandError;
+use crate::{CommandError, orders};
 
 pub(super) const ID: &str = "order";
 
@@ -27,7 +28,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
         .map(|(k, value)| (coordinate(k + 1), *value))
         .collect();
     let mut figure =
-        Figure::new(ID, "Evidence for the order", caption(evidence.order, evidence.asked))
+        Figure::new(ID, "Evidence for the order", caption(evidence, &input.result.compared_orders))
             .columns(2);
     if !gaps.is_empty() {
         let split = |used: bool| {
@@ -66,8 +67,15 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(blocks)
 }
 
-fn caption(order: usize, asked: bool) -> String {
-    let why = if asked { "It was asked for." } else { "It was chosen by its gap." };
+fn caption(evidence: &OrderEvidence, compared: &[ComparedOrder]) -> String {
+    let (order, ratios) = (evidence.order, orders::ratios(compared));
+    let why = match (evidence.asked, ratios.as_str()) {
+        (true, _) => "It was asked for.".to_owned(),
+        (false, "") => "It was chosen by its gap.".to_owned(),
+        (false, ratios) => {
+            format!("It was chosen by its gap, and by the likelihood: it is {ratios}.")
+        }
+    };
     format!(
         "A direction that all records share has an eigenvalue near zero; behind the last of them there is a gap, the ratio of two neighbours. \
          The order used is {order}. {why} The vertical line is where its eigenvalues end."

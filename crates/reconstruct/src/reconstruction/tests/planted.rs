@@ -47,6 +47,25 @@ fn systems_of_any_shape_are_found() {
 }
 
 #[test]
+fn the_criterion_is_lowest_at_the_true_order() {
+    let mut normal = Normal::new(60);
+    let eigenvalues = [Complex::new(0.9, 0.3), Complex::new(0.7, 0.0), Complex::new(0.95, 0.0)];
+    let model = system(&eigenvalues, 3, 2, &mut normal);
+    let noisy = fly(&model, &[800, 900], &Disturbance { noise: 0.05, ..QUIET }, &mut normal);
+    // One noise for all orders: where it starts is part of the criterion's constant.
+    let noise = NoiseModel::Levels(noisy.levels.clone());
+    let criterion = |order: usize| {
+        let order = OrderChoice::Fixed(order);
+        let options = Options { order, noise: noise.clone(), ..Options::default() };
+        reconstruct(&noisy.records, &options).unwrap().likelihood.unwrap().criterion
+    };
+    let [lower, right, higher] = [3, 4, 5].map(criterion);
+    assert!(lower > right + 100.0, "{lower} {right}");
+    // Five more numbers fit noise: they gain about five and pay ten.
+    assert!((0.0..20.0).contains(&(higher - right)), "{higher} {right}");
+}
+
+#[test]
 fn a_mode_that_is_not_excited_is_doubted() {
     let mut normal = Normal::new(50);
     let mut model = system(&[Complex::new(0.9, 0.0), Complex::new(0.4, 0.0)], 4, 2, &mut normal);

@@ -5,6 +5,7 @@ use report::format_significant;
 
 use crate::identify::outcome::Outcome;
 use crate::modes::Found;
+use crate::orders;
 
 /// How many other orders are named.
 const NAMED: usize = 4;
@@ -36,7 +37,11 @@ fn order(outcome: &Outcome<'_>) -> Option<String> {
         .take(NAMED)
         .map(|(other, gap)| format!("{} for {other}", format_significant(*gap, 2)))
         .collect();
-    Some(format!("order: {order}, by a gap of {gap} (next are {})", others.join(", ")))
+    let mut ratios = orders::ratios(&outcome.result.compared_orders);
+    if !ratios.is_empty() {
+        ratios.insert_str(0, ", and ");
+    }
+    Some(format!("order: {order}, by a gap of {gap} (next are {}){ratios}", others.join(", ")))
 }
 
 fn noise(outcome: &Outcome<'_>) -> Option<String> {

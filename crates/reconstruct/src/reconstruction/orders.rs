@@ -1,0 +1,146 @@
+//! The fit, and the number of states where the gaps leave it open: orders that compete are fitted, too, and the likelihood decides.
+//!
+//! Samples that follow each other quickly, and excitation of few frequencies, make the gap behind the slow modes the smaller one. Disturbances make orders that are too high
+//! more likely, so a higher order is used only if it leaves nothing of the fit to doubt.
+
+use super::starts::{self, FirstStage};
+use super::{Options, doubt};
+use crate::subspace::WEAK_GAP;
+use crate::{
+    LikelihoodFit, LikelihoodOptions, OrderChoice, OrderEvidence, ReconstructError,
+    ReconstructionDoubt, Record, SubspaceDoubt, maximise,
+};
+
+/// A criterion that is lower by so much decides: a likelihood ratio of e^5.
+const DECISIVE: f64 = 10.0;
+
+/// The most higher orders that are tried.
+const MOST_HIGHER: usize = 2;
+
+/// The right order is found in about five steps and five updates; one that needs more than these is not it.
+const STEPS: usize = 40;
+const UPDATES: usize = 10;
+
+/// An order that the gaps left open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ComparedOrder {
+    /// The number of states.
+    pub order: usize,
+    /// What its criterion lies above that of the order used ([`LikelihoodFit::criterion`]).
+    pub above: f64,
+}
+
+/// Both stages at one order.
+pub(super) struct Fitted {
+    pub(super) stage: FirstStage,
+    pub(super) fit: LikelihoodFit,
+    /// Those of both stages.
+    pub(super) doubts: Vec<ReconstructionDoubt>,
+    pub(super) compared: Vec<ComparedOrder>,
+}
+
+/// Fits the records, at the order that was asked for or at the one that gaps and likelihood show. The options of the second stage come with it.
+pub(super) fn fitted(
+    records: &[Record],
+    options: &Options,
+) -> Result<(Fitted, LikelihoodOptions), ReconstructError> {
+    let stage = starts::first_stage(records, options)?;
+    let second = options.likelihood(records, &stage.intersection)?;
+    let mut found = fit(records, options, &second, stage)?;
+    if found.stage.order.asked {
+        return Ok((found, second));
+    }
+    let short = LikelihoodOptions {
+        largest_steps: second.largest_steps.min(STEPS),
+        largest_updates: second.largest_updates.min(UPDATES),
+        ..second.clone()
+    };
+    for order in open(&found) {
+        // An error says that the records are too short for it, or allow no search there.
+        let Ok(mut other) = at_order(records, options, &short, &found.stage.order, order) else {
+            continue;
+        };
+        let above = other.fit.criterion - found.fit.criterion;
+        let is_better = above < -DECISIVE && fits(&other.doubts) && !fits(&found.doubts);
+        if order > found.stage.order.order && is_better {
+            let compared = ComparedOrder { order: found.stage.order.order, above: -above };
+            other.compared.push(compared);
+            found = other;
+        } else {
+            found.compared.push(ComparedOrder { order, above });
+        }
+    }
+    if fits(&found.doubts) {
+        let decided = |order: usize| {
+            found.compared.iter().any(|other| other.order == order && other.above > DECISIVE)
+        };
+        found.doubts.retain(|doubt| match doubt {
+            ReconstructionDoubt::Subspace(SubspaceDoubt::ContestedOrder { other, .. }) => {
+                !decided(*other)
+            }
+            _ => true,
+        });
+    }
+    Ok((found, second))
+}
+
+fn fit(
+    records: &[Record],
+    options: &Options,
+    second: &LikelihoodOptions,
+    stage: FirstStage,
+) -> Result<Fitted, ReconstructError> {
+    let fit = maximise(records, &stage.starts, second)?;
+    let of_first = stage.doubts.clone();
+    let doubts = doubt::doubts(records, &stage.intersection, of_first, &fit, &options.noise);
+    Ok(Fitted { stage, fit, doubts, compared: Vec::new() })
+}
+
+/// The fit at another order, with the evidence that speaks for and against it.
+fn at_order(
+    records: &[Record],
+    options: &Options,
+    second: &LikelihoodOptions,
+    evidence: &OrderEvidence,
+    order: usize,
+) -> Result<Fitted, ReconstructError> {
+    let fixed = Options { order: OrderChoice::Fixed(order), ..options.clone() };
+    let stage = starts::first_stage(records, &fixed)?;
+    let evidence = OrderEvidence {
+        order,
+        asked: false,
+        eigenvalues: stage.order.eigenvalues.clone(),
+        gap: starts::gap_of(&evidence.gaps, order),
+        gaps: evidence.gaps.clone(),
+    };
+    let doubts = starts::doubts(&stage.intersection, &evidence);
+    fit(records, options, second, FirstStage { order: evidence, doubts, ..stage })
+}
+
+/// The orders that compete: the one with the largest gap and, where the fit is doubtful, higher ones whose gap is some evidence.
+fn open(found: &Fitted) -> Vec<usize> {
+    let OrderEvidence { order, gaps, .. } = &found.stage.order;
+    let by_gap = |x: &&(usize, f64), y: &&(usize, f64)| y.1.total_cmp(&x.1);
+    let largest = gaps.iter().min_by(by_gap).map(|(order, _)| *order);
+    let mut higher: Vec<_> =
+        gaps.iter().filter(|(other, gap)| other > order && *gap >= WEAK_GAP).collect();
+    higher.sort_by(by_gap);
+    higher.truncate(if fits(&found.doubts) { 0 } else { MOST_HIGHER });
+    let contesting = largest.filter(|largest| largest != order);
+    contesting.into_iter().chain(higher.into_iter().map(|(order, _)| *order)).collect()
+}
+
+/// Whether the fit itself leaves nothing to doubt.
+fn fits(doubts: &[ReconstructionDoubt]) -> bool {
+    !doubts.iter().any(|doubt| {
+        matches!(
+            doubt,
+            ReconstructionDoubt::OptimumNotReached { .. }
+                | ReconstructionDoubt::LevelsNotSettled { .. }
+                | ReconstructionDoubt::PoorFit { .. }
+                | ReconstructionDoubt::UnequalFit { .. }
+                | ReconstructionDoubt::ResidualsNotWhite { .. }
+        )
+    })
+}
