@@ -1,5 +1,7 @@
 //! Work shared between threads whose results are taken in the order of the jobs.
 
+use std::thread::{Builder, ScopedJoinHandle};
+
 /// Jobs that a thread does before the results are taken.
 const ROUND: usize = 128;
 
@@ -19,13 +21,17 @@ pub(crate) fn in_order<J: Sync, R: Send>(
         let share = round.len().div_ceil(threads).max(SHARE).min(round.len());
         let (own, others) = round.split_at(share);
         std::thread::scope(|scope| {
-            let helpers: Vec<_> =
-                others.chunks(share).map(|jobs| scope.spawn(|| work(jobs))).collect();
+            let helpers: Vec<_> = others
+                .chunks(share)
+                .map(|jobs| (jobs, Builder::new().spawn_scoped(scope, || work(jobs))))
+                .collect();
             work(own).iter().for_each(&mut take);
-            for helper in helpers {
-                match helper.join() {
-                    Ok(results) => results.iter().for_each(&mut take),
-                    Err(panic) => std::panic::resume_unwind(panic),
+            for (jobs, helper) in helpers {
+                match helper.map(ScopedJoinHandle::join) {
+                    Ok(Ok(results)) => results.iter().for_each(&mut take),
+                    Ok(Err(panic)) => std::panic::resume_unwind(panic),
+                    // A system that gives no more threads has this one.
+                    Err(_) => work(jobs).iter().for_each(&mut take),
                 }
             }
         });

@@ -46,11 +46,6 @@ pub enum Exit {
     BadInput = 2,
 }
 
-impl Exit {
-    /// What a program ends with that Ctrl-C has ended: 128 and the number of the signal, as shells have it.
-    pub const INTERRUPTED: i32 = 130;
-}
-
 impl From<Exit> for std::process::ExitCode {
     fn from(exit: Exit) -> Self {
         Self::from(exit as u8)

@@ -21,6 +21,8 @@ mod summary;
 mod thinning;
 mod transmissibility;
 
+use std::thread::{Builder, ScopedJoinHandle};
+
 use aircraft::{AircraftClass, FlightPhaseCategory};
 use report::{Block, Document};
 
@@ -97,13 +99,19 @@ pub(crate) fn draw(input: &Input<'_>) -> Result<Vec<(String, Vec<u8>)>, CommandE
 /// The pictures as PNG, each drawn by a thread of its own: packing the pixels takes most of a report's time.
 fn images(pictures: &[String]) -> Result<Vec<Vec<u8>>, report::ReportError> {
     std::thread::scope(|scope| {
+        let draw = |picture: &String| report::png::render(picture, PNG_SCALE);
         let drawn: Vec<_> = pictures
             .iter()
-            .map(|picture| scope.spawn(|| report::png::render(picture, PNG_SCALE)))
+            .map(|picture| (picture, Builder::new().spawn_scoped(scope, move || draw(picture))))
             .collect();
-        let image = |thread: std::thread::ScopedJoinHandle<'_, _>| {
-            thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
+        let image =
+            |(picture, thread): (&String, std::io::Result<ScopedJoinHandle<'_, _>>)| match thread {
+                Ok(thread) => {
+                    thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+                }
+                // A system that gives no more threads has this one.
+                Err(_) => draw(picture),
+            };
         drawn.into_iter().map(image).collect()
     })
 }

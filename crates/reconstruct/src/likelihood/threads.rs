@@ -1,5 +1,7 @@
 //! Work shared between threads.
 
+use std::thread::{Builder, ScopedJoinHandle};
+
 /// The results of all jobs, in the order of the jobs whoever did them, so that sums of them do not depend on the number of threads.
 pub(super) fn in_order<J: Sync, R: Send>(
     jobs: &[J],
@@ -8,17 +10,19 @@ pub(super) fn in_order<J: Sync, R: Send>(
 ) -> Vec<R> {
     let share = jobs.len().div_ceil(threads.max(1));
     let (own, others) = jobs.split_at(share);
-    let work = &work;
+    let all = |jobs: &[J]| jobs.iter().map(&work).collect::<Vec<R>>();
     std::thread::scope(|scope| {
         let helpers: Vec<_> = others
             .chunks(share.max(1))
-            .map(|jobs| scope.spawn(|| jobs.iter().map(work).collect::<Vec<R>>()))
+            .map(|jobs| (jobs, Builder::new().spawn_scoped(scope, || all(jobs))))
             .collect();
-        let mut results: Vec<R> = own.iter().map(work).collect();
-        for helper in helpers {
-            match helper.join() {
-                Ok(more) => results.extend(more),
-                Err(panic) => std::panic::resume_unwind(panic),
+        let mut results = all(own);
+        for (jobs, helper) in helpers {
+            match helper.map(ScopedJoinHandle::join) {
+                Ok(Ok(more)) => results.extend(more),
+                Ok(Err(panic)) => std::panic::resume_unwind(panic),
+                // A system that gives no more threads has this one.
+                Err(_) => results.extend(all(jobs)),
             }
         }
         results

@@ -2,8 +2,6 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::Exit;
-
 /// Held while files are written.
 static WRITING: Mutex<()> = Mutex::new(());
 
@@ -15,10 +13,28 @@ pub(crate) fn uninterrupted<T>(work: impl FnOnce() -> T) -> T {
 
 /// Lets an interruption or a request to end wait until what is being written is in its place. To be called once, by the program.
 ///
-/// Where the system takes no handler, interruptions end the program as they would without one.
+/// The signal then ends the program as if nobody had taken it, so that a shell's loop ends, too. Where there are no such signals, or no thread to take
+/// them, nothing changes.
 pub fn end_between_files() {
-    let _ = ctrlc::set_handler(|| {
+    // A thread that cannot be started leaves the signals as they are.
+    #[cfg(unix)]
+    let _ = std::thread::Builder::new().spawn(take_signals);
+}
+
+#[cfg(unix)]
+fn take_signals() {
+    use std::io::{IsTerminal, Write};
+
+    use signal_hook::consts::{SIGINT, SIGTERM};
+
+    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) else { return };
+    for signal in signals.forever() {
         let _writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
-        std::process::exit(Exit::INTERRUPTED);
-    });
+        let mut terminal = std::io::stderr();
+        if terminal.is_terminal() {
+            // What a spinner or a bar left on its line.
+            let _ = terminal.write_all(b"\r\x1b[2K");
+        }
+        let _ = signal_hook::low_level::emulate_default_handler(signal);
+    }
 }
