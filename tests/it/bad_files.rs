@@ -208,6 +208,24 @@ fn texts() -> Vec<Case> {
         ),
         ("alone.csv", b"time\n0\n0.1\n".to_vec(), plain, "time is its only column"),
         (
+            "clocks.csv",
+            table(HEADER, |k, _| format!("{}:00:0{},1,2,3,4", ["12", "330:12"][k / 9 % 2], k % 9)),
+            plain,
+            "line 11, column \"time\": \"330:12:00:00\" is no time; all rows must hold seconds, or all be written as",
+        ),
+        (
+            "american.csv",
+            table(HEADER, |k, _| format!("11/26/2026 12:00:0{},1,2,3,4", k % 10)),
+            plain,
+            "\"11/26/2026 12:00:00\" is no time",
+        ),
+        (
+            "milliclock.csv",
+            table("time [ms],beta,p,r,phi", |k, _| format!("12:00:0{},1,2,3,4", k % 10)),
+            plain,
+            "\"12:00:00\" is what a clock shows, but the heading states a unit; leave the unit out",
+        ),
+        (
             "swapped.csv",
             table(HEADER, |k, row| {
                 if k == 90 {

@@ -38,6 +38,37 @@ impl Files {
 }
 
 #[test]
+fn a_sensor_is_the_same_in_all_files() {
+    let files = files();
+    let headed = |name: &str, beta: &str, flight: Flight| {
+        let text = Flight { samples: 400, ..flight }.csv();
+        files.folder.file(name, text.replacen("beta", beta, 1))
+    };
+    let radians = headed("radians.csv", "beta [rad]", RUDDER);
+    let metres = headed("metres.csv", "beta [m]", AILERON);
+    transmode(&["identify", &radians, &metres, "--outputs", "beta,p,r"])
+        .refused("\"beta\" is in m there and in rad in ");
+    let ran = transmode(&["identify", &radians, &files.aileron, "--outputs", "beta,p,r"]);
+    let expected = "warning: aileron.csv does not say the unit of beta, and its numbers are taken to be in rad, as radians.csv has it";
+    assert!(ran.out.contains(expected), "{}", ran.out);
+}
+
+#[test]
+fn a_json_file_is_no_part_of_a_report() {
+    let files = files();
+    let report = files.folder.path("report");
+    let within = report.join("modes.json");
+    for json in [&report, &within] {
+        let places = ["--json", json.to_str().unwrap(), "--report", report.to_str().unwrap()];
+        let words = ["identify", &files.aileron, &files.rudder];
+        transmode(&[&words[..], &places].concat())
+            .refused("lies in the folder of --report, which is replaced as a whole");
+        assert!(!report.exists());
+    }
+    files.refuse(&["--report", "-"], "cannot write -: a report is a folder of files");
+}
+
+#[test]
 fn words_that_are_no_value() {
     let files = files();
     let cases: [Case<'_>; 26] = [
@@ -246,6 +277,6 @@ fn files_of_options_that_cannot_be() {
 
 #[test]
 fn nothing_to_read() {
-    transmode(&["identify"]).refused("no record is given; name two or more files");
+    transmode(&["identify"]).refused("no record is given; name files, or stretches");
     transmode(&["identify", "--outputs", "beta,p,r"]).refused("no record is given");
 }

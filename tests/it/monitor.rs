@@ -184,9 +184,11 @@ fn records_and_words_that_cannot_be() {
     }
     check(&["--false-alarms", "1/day"], "\"day\" is neither span nor hour");
     check(&["--false-alarms", "0.5"], "asks for a chance of 0.5 in a span of 5 s; less than 1/2");
-    check(&["--span", "0"], "a sample period is a number of seconds");
+    check(&["--span", "0"], "a span is a positive number of seconds");
     check(&["--span", "0.1"], "a span of 0.1 s is 1 of its samples");
-    check(&["--span", "100"], "give a longer reference or a shorter window");
+    check(&["--span", "100"], "give a longer reference or a shorter --span");
+    check(&["--span", "1e12"], "2 to 1000000000 are possible: change --span");
+    check(&["--model", "x.json", "--iir", "3"], "cannot be used with");
     check(&["--causal", "-1"], "an order is a whole number");
     check(&["--causal", "3000"], "its first half, to which the models are fitted");
     check(&["--outputs", "beta"], "it has one sensor, and a transmissibility relates two");

@@ -15,7 +15,7 @@ use reconstruct::reconstruct;
 
 use crate::args::{Given, IdentifyArgs};
 use crate::records::Progress;
-use crate::{CommandError, Exit, modes, output, report};
+use crate::{CommandError, Exit, OptionError, modes, output, report};
 use input::Input;
 use outcome::{Flight, Outcome};
 
@@ -28,6 +28,15 @@ pub(crate) fn run(
 ) -> Result<Exit, CommandError> {
     let args = config::complete(given)?;
     options::check_method(&args)?;
+    if let (Some(file), Some(folder)) = (&args.json, &args.report)
+        && output::is_within(file, folder)
+    {
+        let message = format!(
+            "{} lies in the folder of --report, which is replaced as a whole; name another place",
+            file.display()
+        );
+        return Err(OptionError::Refused { option: "--json", message }.into());
+    }
     if let Some(file) = &args.json {
         let mut files = args.files.paths();
         files.extend(args.noise_record.iter().map(|file| file.path().as_path()));

@@ -29,6 +29,13 @@ pub(crate) fn without_rounding(value: f64) -> f64 {
     rounded(value, 12)
 }
 
+/// The number with the fewest significant digits that is as close as this.
+pub(crate) fn shortest_within(value: f64, distance: f64) -> f64 {
+    const MOST_DIGITS: usize = 15;
+    let all = (1..=MOST_DIGITS).map(|digits| rounded(value, digits));
+    all.into_iter().find(|short| (short - value).abs() <= distance).unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,5 +54,8 @@ mod tests {
         assert_eq!(without_rounding(3.0 * 0.1).to_bits(), 0.3_f64.to_bits());
         assert_eq!(rounded(1234.567, 3).to_bits(), 1230.0_f64.to_bits());
         assert!(without_rounding(f64::NAN).is_nan());
+        assert_eq!(shortest_within(0.100_000_000_095, 1e-9).to_bits(), 0.1_f64.to_bits());
+        assert_eq!(shortest_within(0.1001, 1e-9).to_bits(), 0.1001_f64.to_bits());
+        assert_eq!(shortest_within(1.0 / 3.0, 0.0).to_bits(), (1.0_f64 / 3.0).to_bits());
     }
 }

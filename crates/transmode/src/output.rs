@@ -111,6 +111,19 @@ pub(crate) fn check_place(file: &Path, records: &[&Path]) -> Result<(), CommandE
     }
 }
 
+/// Whether a file is that folder or will lie in it, however the two paths are written.
+pub(crate) fn is_within(file: &Path, folder: &Path) -> bool {
+    let whole = |path: &Path| {
+        // What is not there yet has a folder that is.
+        let known = path.ancestors().find_map(|known| Some((known, known.canonicalize().ok()?)));
+        let rest =
+            known.and_then(|(known, place)| Some(place.join(path.strip_prefix(known).ok()?)));
+        rest.or_else(|| std::path::absolute(path).ok()).unwrap_or_else(|| path.to_owned())
+    };
+    file != Path::new("-")
+        && whole(&Path::new(".").join(file)).starts_with(whole(&Path::new(".").join(folder)))
+}
+
 fn refuse_folder(place: &Path) -> Result<(), CommandError> {
     if place.is_dir() {
         let source = ErrorKind::IsADirectory.into();

@@ -94,10 +94,15 @@ impl std::fmt::Display for ReconstructionDoubt {
             Self::Subspace(doubt) => doubt.fmt(f),
             Self::OptimumNotReached { status, remaining_step } => write!(
                 f,
-                "the search for the largest likelihood ended early, {}, {remaining_step:.1e} standard deviations from where it was going",
+                "the search for the largest likelihood ended early, {}{}",
                 match status {
                     SearchStatus::StepLimit => "after as many steps as it may take",
                     _ => "without a step that leads lower",
+                },
+                if remaining_step.is_finite() {
+                    format!(", {remaining_step:.1e} standard deviations from where it was going")
+                } else {
+                    String::new()
                 }
             ),
             Self::LevelsNotSettled { updates } => {

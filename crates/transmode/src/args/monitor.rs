@@ -26,7 +26,7 @@ pub(crate) struct MonitorArgs {
     pub(crate) model: Vec<PathBuf>,
 
     /// Length of what is tested at once, in seconds [default: 50 samples].
-    #[arg(long, value_name = "SECONDS", value_parser = crate::records::options::period, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = span, allow_negative_numbers = true)]
     pub(crate) span: Option<f64>,
 
     /// The chance that one span of a healthy record raises an alarm; or how many in an hour, as 0.5/hour.
@@ -48,6 +48,11 @@ pub(crate) struct MonitorArgs {
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
     #[arg(long, value_name = "FILE|-")]
     pub(crate) json: Option<PathBuf>,
+}
+
+fn span(text: &str) -> Result<f64, String> {
+    let found = text.trim().parse().ok().filter(|span: &f64| *span > 0.0 && span.is_finite());
+    found.ok_or_else(|| "a span is a positive number of seconds".to_owned())
 }
 
 /// A rate of false alarms.

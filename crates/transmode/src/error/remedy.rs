@@ -7,7 +7,7 @@ pub(super) fn of_reading(error: &Error) -> &'static str {
     match error.kind() {
         ErrorKind::NotFound => "check its name and folder",
         ErrorKind::PermissionDenied => "ask its owner for the right to read it",
-        ErrorKind::IsADirectory => "it is a folder; name a file in it",
+        ErrorKind::IsADirectory => "name a file in it",
         ErrorKind::NotADirectory => {
             "what stands before the last slash is no folder; check the name"
         }
@@ -26,7 +26,7 @@ pub(super) fn of_writing(error: &Error) -> &'static str {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
             "make room, or name a place that has some"
         }
-        ErrorKind::IsADirectory => "a folder has that name; choose another",
+        ErrorKind::IsADirectory => "choose another name",
         ErrorKind::NotADirectory | ErrorKind::AlreadyExists => {
             "a file stands where a folder is needed; choose another name"
         }

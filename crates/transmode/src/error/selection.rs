@@ -40,8 +40,26 @@ pub enum SelectionError {
         /// The units that can be converted.
         known: String,
     },
+    /// One sensor in two files with units of different kinds.
+    #[error(
+        "{}: {column:?} is in {unit} there and in {other_unit} in {}; the sensors of all records must be the same: choose them with \
+         --outputs, or correct a header",
+        file.display(), other.display()
+    )]
+    UnitsDiffer {
+        /// The file.
+        file: PathBuf,
+        /// The column.
+        column: String,
+        /// Its unit, in SI.
+        unit: &'static str,
+        /// The file before.
+        other: PathBuf,
+        /// The unit there, in SI.
+        other_unit: &'static str,
+    },
     /// Time in a unit that is none of time.
-    #[error("{}, column {column:?}: {unit:?} is no unit of time; s, ms, us, min and h are", file.display())]
+    #[error("{}, column {column:?}: {unit:?} is no unit of time; s, ms, us, min and h are, and what a clock shows has none: correct the header", file.display())]
     NotTime {
         /// The file.
         file: PathBuf,
@@ -137,7 +155,7 @@ pub enum SelectionError {
         column: String,
     },
     /// Nothing to read.
-    #[error("no record is given; name two or more files, or stretches of files with --window")]
+    #[error("no record is given; name files, or stretches of files with --window")]
     NoFile,
     /// A measured input that cannot be one.
     #[error("--known-input names {column:?} {why}")]

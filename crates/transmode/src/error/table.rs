@@ -119,6 +119,37 @@ pub enum TableError {
         /// What stands there.
         text: String,
     },
+    /// A time that no clock shows so, or not the clock of the rows above.
+    #[error(
+        "{}, line {line}, column {column:?}: {text:?} is no time; all rows must hold seconds, or all be written as 12:34:56.25, as 330:12:34:56.25 \
+         (day of the year), or as 2026-11-26T12:34:56.25",
+        file.display()
+    )]
+    NotATime {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// The column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// A clock's time below a heading with a unit.
+    #[error(
+        "{}, line {line}, column {column:?}: {text:?} is what a clock shows, but the heading states a unit; leave the unit out",
+        file.display()
+    )]
+    ClockWithUnit {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// The column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
     /// A decimal comma among decimal points, or the other way round.
     #[error(
         "{}, line {line}, column {column:?}: {text:?} has a decimal {}, where the rows above have a decimal {}; \

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::signal::Signal;
 use crate::CommandError;
+use crate::numbers::rounded;
 use crate::records::format::Format;
 use crate::records::progress::Progress;
 use crate::records::sampling::Even;
@@ -127,7 +128,8 @@ pub(super) fn inspect(
         format: table.format.name(),
         samples: rows.end,
         time,
-        span_s: [times.at(0), times.at(last)],
+        // As many digits as the stamps can have.
+        span_s: [0, last].map(|row| rounded(times.at(row), 15)),
         sampling,
         channels,
         findings,

@@ -1,6 +1,6 @@
 //! The healthy record: transmissibilities from its first half, limits from its second.
 
-use ::monitor::{Detector, Link, Options, Stretch};
+use ::monitor::{Detector, Link, MonitorError, Options, Stretch};
 use cfi_ident::{ConstantTerm, FitOptions, Orders, Segment, Structure};
 use reconstruct::Record;
 
@@ -84,7 +84,7 @@ pub(super) fn calibrate(
     let span = args.span.map_or(SPAN_SAMPLES, |span_s| (span_s / period_s).round());
     let Some(window) = whole(span).filter(|window| *window >= 2) else {
         return Err(fault(format!(
-            "a span of {} s is {span} of its samples of {period_s} s; at least 2 are needed: change --span",
+            "a span of {} s is {span} of its samples of {period_s} s; 2 to 1000000000 are possible: change --span",
             args.span.unwrap_or_default()
         )));
     };
@@ -106,7 +106,13 @@ pub(super) fn calibrate(
         models.iter().zip(&links).any(|(model, link)| model.was_fitted_to(link, &whole));
     let options = Options { window, false_alarms };
     let detector = Detector::calibrate(links, &training, &calibrating, options)
-        .map_err(|error| fault(error.to_string()))?;
+        .map_err(|error| fault(match error {
+            MonitorError::TooFewWindows { found, needed, .. } => format!(
+                "its second half holds {found} spans of {} s, and {needed} are needed to calibrate; give a longer reference or a shorter --span",
+                span * period_s
+            ),
+            other => other.to_string(),
+        }))?;
     let short = args.reference.file_name().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Reference {
         fitted_to_itself,

@@ -142,8 +142,10 @@ fn read(
             let time_s = [rows.start, rows.end - 1].map(|row| recording.times.at(row));
             loaded.warnings.push(LoadWarning::WindowCut { record: name.clone(), time_s });
         }
-        let shares =
-            |(_, other): &&(String, Range<usize>)| other.start < rows.end && rows.start < other.end;
+        // Both ends belong to a window, so that windows that touch have one sample in common.
+        let shares = |(_, other): &&(String, Range<usize>)| {
+            rows.end.min(other.end) > rows.start.max(other.start) + 1
+        };
         if let Some((other, _)) = taken.iter().find(shares) {
             let records = [other.clone(), name.clone()];
             loaded.warnings.push(LoadWarning::WindowsOverlap { records });
@@ -270,6 +272,7 @@ impl Recording<'_> {
         let period = period.map_err(|error| in_file(self.file, &error))?;
         let record =
             Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;
+        self.check_units(&record, loaded)?;
         let first = stretch.start + margin;
         let last = first + (record.samples().saturating_sub(1)) * factor.get();
         loaded.records.push(record);
@@ -281,6 +284,48 @@ impl Recording<'_> {
             units: self.units.clone(),
             whole,
         });
+        Ok(())
+    }
+}
+
+impl Recording<'_> {
+    /// Refuses sensors that other files have in other units, and warns where one file alone says what they are.
+    fn check_units(&self, record: &Record, loaded: &mut Loaded) -> Result<(), CommandError> {
+        let Some((other, before)) = loaded.records.first().zip(loaded.sources.first()) else {
+            return Ok(());
+        };
+        if before.file == self.file {
+            return Ok(());
+        }
+        for (index, channel) in record.channels().iter().enumerate() {
+            let is_same = |named: &Channel| named.name == channel.name;
+            let Some(place) = other.channels().iter().position(is_same) else { continue };
+            match (self.units[index], before.units[place]) {
+                (Some(unit), Some(other_unit)) if unit != other_unit => {
+                    return Err(SelectionError::UnitsDiffer {
+                        file: self.file.to_owned(),
+                        column: channel.name.clone(),
+                        unit,
+                        other: before.file.clone(),
+                        other_unit,
+                    }
+                    .into());
+                }
+                (Some(unit), None) | (None, Some(unit)) => {
+                    let (stated, silent) = if self.units[index].is_some() {
+                        (record.name(), other.name())
+                    } else {
+                        (other.name(), record.name())
+                    };
+                    loaded.warnings.push(LoadWarning::UnitMissing {
+                        records: [stated.to_owned(), silent.to_owned()],
+                        column: channel.name.clone(),
+                        unit,
+                    });
+                }
+                _ => {}
+            }
+        }
         Ok(())
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::format::Format;
 use super::progress::Progress;
 use super::segments::segments;
-use super::selection::{Selected, Selection, TimeSource};
+use super::selection::{Selected, Selection, TWICE, TimeSource};
 use super::source;
 use super::timing::{Times, scale};
 use crate::{CommandError, SelectionError};
@@ -35,7 +35,7 @@ pub(crate) fn load(
     let mut selected = Selected::default();
     let mut choose = |format: Format, headings: &[_]| {
         selected = selection.select(file, format, headings).map_err(|error| match error {
-            CommandError::Selection(SelectionError::BadOutputs { column, why: "twice" }) => {
+            CommandError::Selection(SelectionError::BadOutputs { column, why: TWICE }) => {
                 CommandError::SameColumn { column }
             }
             CommandError::Selection(SelectionError::BadOutputs { column, .. }) => {

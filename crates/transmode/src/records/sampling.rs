@@ -1,6 +1,6 @@
 //! Time stamps -> one sample period, or the row where they stop being even.
 
-use crate::numbers::without_rounding;
+use crate::numbers::{shortest_within, without_rounding};
 use std::ops::RangeInclusive;
 
 /// A step that differs from the usual one by more than this part of it is no jitter but a fault.
@@ -94,7 +94,11 @@ pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
     // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
     // so that records of different length have the same period.
     #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
-    let period_s = without_rounding(inside_s / count as f64);
+    let (count, last) =
+        (count as f64, time_s.iter().fold(0.0_f64, |last, time| last.max(time.abs())));
+    // Stamps are as close as numbers of their size can be.
+    let rounding = if after_gaps.is_empty() { 2.0 * f64::EPSILON * last / count } else { 0.0 };
+    let period_s = shortest_within(without_rounding(inside_s / count), rounding);
     Some(Sampling::Even(Even { period_s, jitter, after_gaps }))
 }
 

@@ -7,6 +7,9 @@ use super::table::{Chosen, Heading};
 use super::unit::Unit;
 use crate::{CommandError, SelectionError, TimeError};
 
+/// What is wrong with a column that was asked for two times.
+pub(super) const TWICE: &str = "twice; name it once";
+
 /// How many names a message lists.
 const LISTED: usize = 30;
 
@@ -66,7 +69,7 @@ impl Selection {
                 return fault("as a sensor; separate the names by single commas");
             }
             if self.outputs[..index].contains(column) {
-                return fault("twice");
+                return fault(TWICE);
             }
             if self.time == TimeSource::Column(column.clone()) {
                 return fault("as a sensor and --time as time");
@@ -100,7 +103,7 @@ impl Selection {
             if sensors[..at].contains(index) {
                 return Err(SelectionError::BadOutputs {
                     column: headings[*index].name.clone(),
-                    why: "twice",
+                    why: TWICE,
                 }
                 .into());
             }

@@ -280,6 +280,8 @@ struct Fault {
 enum FaultKind {
     NotText,
     NotANumber,
+    NotATime,
+    ClockWithUnit,
     /// The decimal comma comes late, or the point.
     Mixed {
         comma: bool,
@@ -296,13 +298,20 @@ impl Columns<'_> {
             Fault { column: self.headings[index].name.clone(), text, kind }
         };
         let is_time = self.time == Some(index) && !field.is_empty();
-        if is_time && (self.clock.is_read() || self.values[*slot].is_empty()) {
+        if is_time
+            && self.values[*slot].iter().all(|before| before.is_nan() || self.clock.is_read())
+        {
             match self.clock.seconds(field) {
+                Some(_) if self.headings[index].unit.is_some() => {
+                    return Err(fault(FaultKind::ClockWithUnit));
+                }
                 Some(seconds) => {
                     self.values[*slot].push(seconds);
                     return Ok(());
                 }
-                None if self.clock.is_read() => return Err(fault(FaultKind::NotANumber)),
+                None if self.clock.is_read() || field.contains(&b':') => {
+                    return Err(fault(FaultKind::NotATime));
+                }
                 None => {}
             }
         }
@@ -329,6 +338,8 @@ impl Fault {
         match kind {
             FaultKind::NotText => TableError::NotText { file, line },
             FaultKind::NotANumber => TableError::NotANumber { file, line, column, text },
+            FaultKind::NotATime => TableError::NotATime { file, line, column, text },
+            FaultKind::ClockWithUnit => TableError::ClockWithUnit { file, line, column, text },
             FaultKind::Mixed { comma } => {
                 TableError::MixedMarks { file, line, column, text, comma }
             }

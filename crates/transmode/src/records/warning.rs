@@ -38,6 +38,8 @@ pub(crate) enum LoadWarning {
     },
     /// Two windows of one file that have samples in common.
     WindowsOverlap { records: [String; 2] },
+    /// A sensor whose unit the first record states and the second does not.
+    UnitMissing { records: [String; 2], column: String, unit: &'static str },
     /// A measured input that rests at zero in a record.
     IdleInput { record: String, column: String },
     /// A record in which `monitor` finds no span.
@@ -58,6 +60,7 @@ impl LoadWarning {
             Self::LongestStretch { .. } => "longest-stretch",
             Self::WindowCut { .. } => "window-cut",
             Self::WindowsOverlap { .. } => "windows-overlap",
+            Self::UnitMissing { .. } => "unit-missing",
             Self::IdleInput { .. } => "idle-input",
             Self::NoSpan { .. } => "no-span",
         }
@@ -82,6 +85,10 @@ impl fmt::Display for LoadWarning {
             Self::WindowsOverlap { records: [first, second] } => write!(
                 f,
                 "{first} and {second} overlap: what they have in common counts twice, as if it had been measured twice"
+            ),
+            Self::UnitMissing { records: [stated, silent], column, unit } => write!(
+                f,
+                "{silent} does not say the unit of {column}, and its numbers are taken to be in {unit}, as {stated} has it"
             ),
             Self::IdleInput { record, column } => {
                 write!(

@@ -23,6 +23,9 @@ const MARK_WITHIN: u64 = 4096;
 /// folder does not exist.
 pub(crate) fn check_place(folder: &Path) -> Result<(), CommandError> {
     let fault = |source| CommandError::Write { file: folder.to_owned(), source };
+    if folder == Path::new("-") {
+        return Err(fault(Error::new(ErrorKind::InvalidInput, "a report is a folder of files")));
+    }
     match fs::read_dir(folder) {
         Ok(entries) => {
             let entries = entries.collect::<Result<Vec<_>, _>>().map_err(fault)?;
@@ -85,8 +88,11 @@ pub(crate) fn replace(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), 
     if place.file_name().is_none() {
         return Err(fault(Error::new(ErrorKind::InvalidInput, "it has no name")));
     }
-    let drafts =
-        tempfile::Builder::new().prefix(".transmode-").tempdir_in(parent(&place)).map_err(fault)?;
+    let drafts = tempfile::Builder::new()
+        .prefix(".transmode-")
+        .tempdir_in(parent(&place))
+        // Without the draft's name, which would tell the user nothing.
+        .map_err(|error| fault(error.kind().into()))?;
     let new = drafts.path().join(NEW);
     // Made by hand: a temporary folder is closed to others, a report is as open as the user's mask allows.
     fs::create_dir(&new).map_err(fault)?;

@@ -123,12 +123,19 @@ fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
 
 /// The 95 % interval of the time constant of a real mode.
 fn interval(found: &Found) -> String {
-    let number = |value: f64| format_significant(value, 3);
     if found.eigenvalue_interval_95().is_none() {
         return "-".to_owned();
     }
     match found.time_constant_interval_95() {
-        Some([low, high]) => format!("{} to {}", number(low), number(high)),
+        Some([low, high]) => {
+            // Where both ends begin with the same digits, one more than those.
+            let same = |digits: &usize| {
+                format_significant(low, *digits) == format_significant(high, *digits)
+            };
+            let shared = (3..=12).take_while(same).count();
+            let digits = if shared == 0 { 3 } else { 4 + shared };
+            format!("{} to {}", format_significant(low, digits), format_significant(high, digits))
+        }
         None => "any sign".to_owned(),
     }
 }

@@ -32,7 +32,10 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     };
     let names =
         input.found.iter().map(|found| (at(found).re, at(found).im, found.named.name.to_string()));
-    let ((x, y), clusters) = (whole(&points), clusters(&regions));
+    let (x, y) = whole(&points, &regions);
+    let mut clusters = clusters(&regions);
+    // A glass that makes things smaller shows nothing.
+    clusters.retain(|cluster| 2.0 * cluster.half < x.1 - x.0);
     let title = if clusters.is_empty() { String::new() } else { "all".to_owned() };
     let all = fill(empty(title)).zoom(x, y).with(Notes::new(names));
     let is_profiled = input.found.iter().any(|found| found.mode.interval_95.is_some());
@@ -65,13 +68,24 @@ fn at(found: &Found) -> Complex<f64> {
     found.mode.mode.eigenvalue
 }
 
-/// The ranges of both axes around all points and the origin, with room for names.
-fn whole(points: &[Complex<f64>]) -> ((f64, f64), (f64, f64)) {
-    let reals = || points.iter().map(|s| s.re).chain([0.0]);
-    let low = reals().fold(f64::INFINITY, f64::min);
-    let high = reals().fold(f64::NEG_INFINITY, f64::max);
-    let top = points.iter().map(|s| s.im).fold(0.0, f64::max);
-    let size = (high - low).max(top).max(f64::MIN_POSITIVE);
+/// The ranges of both axes around all points, the origin and those regions that are not much larger than all of that, with room for names.
+fn whole(points: &[Complex<f64>], regions: &[Region]) -> ((f64, f64), (f64, f64)) {
+    const MUCH: f64 = 1.5;
+    let square = |ends: &[Complex<f64>]| {
+        let reals = || ends.iter().map(|s| s.re).chain([0.0]);
+        let low = reals().fold(f64::INFINITY, f64::min);
+        let high = reals().fold(f64::NEG_INFINITY, f64::max);
+        let top = ends.iter().map(|s| s.im).fold(0.0, f64::max);
+        (low, high, (high - low).max(top).max(f64::MIN_POSITIVE))
+    };
+    let (_, _, size) = square(points);
+    let shown = regions.iter().filter(|region| region.reach < MUCH * size);
+    let ends = shown.flat_map(|region| {
+        let up = if region.center.im > 0.0 { region.reach } else { 0.0 };
+        let corner = Complex::new(region.reach, up);
+        [region.center - region.reach, region.center + corner]
+    });
+    let (low, high, size) = square(&points.iter().copied().chain(ends).collect::<Vec<_>>());
     let margin = 0.12 * size;
     let middle = 0.5 * (low + high);
     ((middle - 0.5 * size - margin, middle + 0.5 * size + margin), (-margin, size + margin))

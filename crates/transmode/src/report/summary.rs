@@ -50,7 +50,9 @@ fn sentences(input: &Input<'_>) -> String {
 
 /// States that a mode takes.
 fn states(found: &Found) -> usize {
-    if found.mode.mode.period_s.is_some() { 2 } else { 1 }
+    // A real eigenvalue in z below zero oscillates, too, and is one state.
+    let z = found.mode.mode.discrete_eigenvalue;
+    if z.map_or(found.mode.mode.eigenvalue.im, |z| z.im) > 0.0 { 2 } else { 1 }
 }
 
 /// `Dutch roll at 1.69 rad/s with a damping ratio of 0.042`.

@@ -7,7 +7,8 @@
 //! | date and time of day, as in ISO 8601 | `2026-11-26T12:34:56.25`, `2026-11-26 12:34:56.25` |
 //! | the same with an offset | `2026-11-26T12:34:56.25Z`, `2026-11-26T14:34:56.25+02:00` |
 //!
-//! A time of day that goes back by more than half a day has passed midnight.
+//! Where an offset is given, the midnight is that of UTC. A time of day that goes back by more than half a day has passed midnight, a day of the year that goes back to
+//! the first has passed New Year.
 
 use jiff::Timestamp;
 use jiff::civil::{DateTime, Time};
@@ -15,6 +16,8 @@ use jiff::tz::TimeZone;
 
 const SECOND: i64 = 1_000_000_000;
 const DAY: i64 = 86_400 * SECOND;
+/// In days.
+const SHORTEST_YEAR: i64 = 365;
 
 /// The clock of one file.
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,6 +28,8 @@ pub(super) struct Clock(Option<Read>);
 struct Read {
     form: Form,
     first_day: i64,
+    /// Days of midnights and years that were passed.
+    carried: i64,
     last: Stamp,
 }
 
@@ -51,19 +56,24 @@ impl Clock {
 
     /// The next field; `None` if it is no time, or not written as those before.
     pub(super) fn seconds(&mut self, field: &[u8]) -> Option<f64> {
-        let (form, mut stamp) = parse(std::str::from_utf8(field).ok()?)?;
+        let (form, stamp) = parse(std::str::from_utf8(field).ok()?)?;
+        let mut carried = 0;
         if let Some(before) = &self.0 {
             if before.form != form {
                 return None;
             }
-            if form == Form::TimeOfDay {
-                let passed = before.last.nanoseconds - stamp.nanoseconds > DAY / 2;
-                stamp.day = before.last.day + i64::from(passed);
-            }
+            let back = Stamp { day: before.last.day - stamp.day, ..before.last };
+            carried = before.carried
+                + match form {
+                    Form::TimeOfDay => i64::from(back.nanoseconds - stamp.nanoseconds > DAY / 2),
+                    // As many days as the year had.
+                    Form::DayOfYear if back.day >= SHORTEST_YEAR - 1 => before.last.day,
+                    _ => 0,
+                };
         }
         let first_day = self.0.map_or(stamp.day, |before| before.first_day);
-        self.0 = Some(Read { form, first_day, last: stamp });
-        let nanoseconds = (stamp.day - first_day) * DAY + stamp.nanoseconds;
+        self.0 = Some(Read { form, first_day, carried, last: stamp });
+        let nanoseconds = (carried + stamp.day - first_day) * DAY + stamp.nanoseconds;
         #[expect(clippy::cast_precision_loss, reason = "exact for a hundred days")]
         let seconds = nanoseconds as f64 / SECOND as f64;
         Some(seconds)
@@ -103,7 +113,9 @@ fn time_of_day(text: &str) -> Option<i64> {
     if !is_plain || text.matches(':').count() != 2 {
         return None;
     }
-    let time: Time = text.parse().ok()?;
+    // Some recorders leave out the zero of a morning's hour.
+    let padded = if text.find(':') == Some(1) { format!("0{text}") } else { text.to_owned() };
+    let time: Time = padded.parse().ok()?;
     let seconds = i64::from(time.hour()) * 3600 + i64::from(time.minute()) * 60;
     Some((seconds + i64::from(time.second())) * SECOND + i64::from(time.subsec_nanosecond()))
 }

@@ -21,6 +21,10 @@ fn every_way_of_writing_a_time() {
 fn a_time_of_day_passes_midnight() {
     let found = seconds(&["23:59:59.9", "00:00:00.0", "00:00:00.1"]);
     assert_eq!(found, [Some(86_399.9), Some(86_400.0), Some(86_400.1)]);
+    let year = seconds(&["365:23:59:59.9", "001:00:00:00.0", "002:00:00:00.0"]);
+    assert_eq!(year, [Some(86_399.9), Some(86_400.0), Some(172_800.0)]);
+    assert_eq!(seconds(&["366:23:59:59.9", "001:00:00:00.1"])[1], Some(86_400.1));
+    assert_eq!(seconds(&["9:59:59.9", "10:00:00.0"]), [Some(35_999.9), Some(36_000.0)]);
     // A little back is no midnight, and no business of the clock.
     assert_eq!(seconds(&["12:00:01", "12:00:00"]), [Some(43_201.0), Some(43_200.0)]);
 }
