@@ -154,6 +154,25 @@ fn the_likelihood_decides_where_the_gaps_leave_the_order_open() {
     assert!(line.ends_with(" times as likely as 3"), "{line}");
 }
 
+/// Noise of a third of the response, a minute long: one of two states alternates from sample to sample.
+#[test]
+fn a_state_that_alternates_has_no_name_and_is_one_state() {
+    let folder = Folder::new();
+    let (place, report) = (folder.path("flights"), folder.path("report"));
+    let words = ["--noise", "snr=3", "--duration", "60", "--seed", "2", "-o"];
+    transmode(&[&["simulate", "paper"], &words[..], &[place.to_str().unwrap()]].concat());
+    let files = ["aileron.csv", "rudder.csv"].map(|name| place.join(name));
+    let [aileron, rudder] = files.each_ref().map(|file| file.to_str().unwrap());
+    let (_, json) = identify(&[aileron, rudder, "--report", report.to_str().unwrap()]);
+    let mode = &json["modes"][0];
+    assert_eq!((&mode["name"], &json["order"]), (&"unnamed".into(), &2.into()), "{mode}");
+    assert!(
+        (mode["eigenvalue"]["im"].as_f64().unwrap() - 10.0 * std::f64::consts::PI).abs() < 1e-9
+    );
+    let page = std::fs::read_to_string(report.join("report.html")).unwrap();
+    assert!(page.contains("2 modes with 2 states"));
+}
+
 #[test]
 fn windows_that_are_not_what_they_seem_are_told() {
     let [aileron, rudder] =

@@ -37,6 +37,8 @@ pub enum WhyUnnamed {
     BetterClaim,
     /// The eigenvector has neither sideslip, roll, yaw nor bank.
     NoLateralMotion,
+    /// Its sampled eigenvalue is real and negative, so that it alternates from sample to sample, as no motion of an aircraft does.
+    Alternating,
 }
 
 impl fmt::Display for ModeName {

@@ -1,6 +1,6 @@
 //! Eigenvalues and their shapes in the sensors -> modes with names.
 
-use aircraft::{Eigenpair, ModeShape, NamedMode, name_modes};
+use aircraft::{Eigenpair, ModeName, ModeShape, NamedMode, WhyUnnamed, name_modes};
 use num_complex::Complex;
 use reconstruct::{FoundMode, Reconstruction, Record};
 
@@ -63,16 +63,22 @@ pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found
         .into_iter()
         .zip(&result.modes)
         .zip(shapes)
-        .map(|((named, mode), shape)| Found {
-            named,
-            spread: spread(result, mode),
-            mode: mode.clone(),
-            shape: scaled(shape),
+        .map(|((mut named, mode), shape)| {
+            if alternates(mode) {
+                named.name = ModeName::Unnamed(WhyUnnamed::Alternating);
+            }
+            let (spread, mode) = (spread(result, mode), mode.clone());
+            Found { named, spread, mode, shape: scaled(shape) }
         })
         .collect();
     let frequency = |found: &Found| found.mode.mode.natural_frequency_rad_s;
     found.sort_by(|a, b| frequency(b).total_cmp(&frequency(a)));
     Ok(found)
+}
+
+/// Whether its eigenvalue in z is real and negative: one state, which noise and too high an order make.
+fn alternates(mode: &FoundMode) -> bool {
+    mode.mode.discrete_eigenvalue.is_some_and(|z| z.im == 0.0 && z.re < 0.0)
 }
 
 /// C v with the eigenvector v of A, or what the printed method says of its own mode.
