@@ -4,6 +4,7 @@
 mod arrays;
 mod bad_files;
 mod bad_input;
+mod bad_windows;
 mod browser;
 mod damage;
 mod files;
