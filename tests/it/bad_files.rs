@@ -2,8 +2,6 @@
 //!
 //! More of them, one theme a test, are in `bad_input.rs` (tables) and `fit_bad_input.rs` (arrays).
 
-use transmode::Exit;
-
 use crate::arrays::{Array, Mat, archive, gzip, header, mat, npy, npy_vector};
 use crate::program::{Folder, shipped, transmode};
 
