@@ -90,7 +90,7 @@ pub struct Reconstruction {
 ///
 /// # Errors
 ///
-/// Those of [`as_printed`], [`intersect`](crate::intersect) and [`maximise`]: records that don't fit together, that are too few or too short for the order, that hold a
+/// Those of [`as_printed`], [`intersect`](crate::intersect) and [`maximise`](crate::maximise): records that don't fit together, that are too few or too short for the order, that hold a
 /// dead or repeated channel; options that don't fit the records.
 ///
 /// # Example
