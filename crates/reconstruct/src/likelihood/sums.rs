@@ -178,8 +178,10 @@ pub(super) fn sums(
         totals.give(&mut sums);
         sums
     });
-    parts.into_iter().for_each(|part| all.add(part));
-    all
+    let mut parts = parts.into_iter();
+    let Some(mut first) = parts.next() else { return all };
+    parts.for_each(|part| first.add(part));
+    first
 }
 
 /// The loop over frequencies, compiled once for each kind of vectors.

@@ -11,9 +11,12 @@ pub(super) fn in_order<J: Sync, R: Send>(
     let share = jobs.len().div_ceil(threads.max(1));
     let (own, others) = jobs.split_at(share);
     let all = |jobs: &[J]| jobs.iter().map(&work).collect::<Vec<R>>();
+    if others.is_empty() {
+        return all(own);
+    }
     std::thread::scope(|scope| {
         let helpers: Vec<_> = others
-            .chunks(share.max(1))
+            .chunks(share)
             .map(|jobs| (jobs, Builder::new().spawn_scoped(scope, || all(jobs))))
             .collect();
         let mut results = all(own);
