@@ -12,6 +12,7 @@ use super::in_file;
 use super::known_inputs;
 use super::options::{LoadOptions, Window};
 use super::progress::Progress;
+use super::same_units;
 use super::segments::{SHORTEST, segments};
 use super::selection::Selected;
 use super::source;
@@ -71,6 +72,8 @@ pub(crate) fn load(
     for (file, windows) in &files {
         read(file, windows, options, progress, &mut loaded)?;
     }
+    let warnings = same_units::check(&loaded.records, &loaded.sources)?;
+    loaded.warnings.extend(warnings);
     Ok(loaded)
 }
 
@@ -272,7 +275,6 @@ impl Recording<'_> {
         let period = period.map_err(|error| in_file(self.file, &error))?;
         let record =
             Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;
-        self.check_units(&record, loaded)?;
         let first = stretch.start + margin;
         let last = first + (record.samples().saturating_sub(1)) * factor.get();
         loaded.records.push(record);
@@ -284,48 +286,6 @@ impl Recording<'_> {
             units: self.units.clone(),
             whole,
         });
-        Ok(())
-    }
-}
-
-impl Recording<'_> {
-    /// Refuses sensors that other files have in other units, and warns where one file alone says what they are.
-    fn check_units(&self, record: &Record, loaded: &mut Loaded) -> Result<(), CommandError> {
-        let Some((other, before)) = loaded.records.first().zip(loaded.sources.first()) else {
-            return Ok(());
-        };
-        if before.file == self.file {
-            return Ok(());
-        }
-        for (index, channel) in record.channels().iter().enumerate() {
-            let is_same = |named: &Channel| named.name == channel.name;
-            let Some(place) = other.channels().iter().position(is_same) else { continue };
-            match (self.units[index], before.units[place]) {
-                (Some(unit), Some(other_unit)) if unit != other_unit => {
-                    return Err(SelectionError::UnitsDiffer {
-                        file: self.file.to_owned(),
-                        column: channel.name.clone(),
-                        unit,
-                        other: before.file.clone(),
-                        other_unit,
-                    }
-                    .into());
-                }
-                (Some(unit), None) | (None, Some(unit)) => {
-                    let (stated, silent) = if self.units[index].is_some() {
-                        (record.name(), other.name())
-                    } else {
-                        (other.name(), record.name())
-                    };
-                    loaded.warnings.push(LoadWarning::UnitMissing {
-                        records: [stated.to_owned(), silent.to_owned()],
-                        column: channel.name.clone(),
-                        unit,
-                    });
-                }
-                _ => {}
-            }
-        }
         Ok(())
     }
 }

@@ -63,6 +63,8 @@ struct Columns<'a> {
     /// The column of time, which may hold what a clock shows.
     time: Option<usize>,
     clock: Clock,
+    /// Whether it has held a number, so that no clock's time may follow.
+    time_is_number: bool,
 }
 
 /// The top of a table.
@@ -89,6 +91,7 @@ impl<R: Read> Reader<R> {
             mark: None,
             time: if with_time { chosen.last().copied() } else { None },
             clock: Clock::default(),
+            time_is_number: false,
         };
         if let Some((line, texts)) = &top.first {
             let count = texts.len();
@@ -298,9 +301,7 @@ impl Columns<'_> {
             Fault { column: self.headings[index].name.clone(), text, kind }
         };
         let is_time = self.time == Some(index) && !field.is_empty();
-        if is_time
-            && self.values[*slot].iter().all(|before| before.is_nan() || self.clock.is_read())
-        {
+        if is_time && !self.time_is_number {
             match self.clock.seconds(field) {
                 Some(_) if self.headings[index].unit.is_some() => {
                     return Err(fault(FaultKind::ClockWithUnit));
@@ -326,6 +327,7 @@ impl Columns<'_> {
             }
             self.mark = number.mark;
         }
+        self.time_is_number |= is_time && !number.value.is_nan();
         self.values[*slot].push(number.value);
         Ok(())
     }

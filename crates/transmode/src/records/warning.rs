@@ -38,8 +38,8 @@ pub(crate) enum LoadWarning {
     },
     /// Two windows of one file that have samples in common.
     WindowsOverlap { records: [String; 2] },
-    /// A sensor whose unit the first record states and the second does not.
-    UnitMissing { records: [String; 2], column: String, unit: &'static str },
+    /// A sensor whose unit the first file states and the second does not.
+    UnitMissing { files: [String; 2], column: String, unit: &'static str },
     /// A measured input that rests at zero in a record.
     IdleInput { record: String, column: String },
     /// A record in which `monitor` finds no span.
@@ -86,7 +86,7 @@ impl fmt::Display for LoadWarning {
                 f,
                 "{first} and {second} overlap: what they have in common counts twice, as if it had been measured twice"
             ),
-            Self::UnitMissing { records: [stated, silent], column, unit } => write!(
+            Self::UnitMissing { files: [stated, silent], column, unit } => write!(
                 f,
                 "{silent} does not say the unit of {column}, and its numbers are taken to be in {unit}, as {stated} has it"
             ),
