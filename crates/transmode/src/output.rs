@@ -2,9 +2,10 @@
 
 mod folder;
 mod interrupt;
+mod place;
 
 use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::Path;
 
 use tempfile::NamedTempFile;
@@ -14,6 +15,8 @@ use crate::CommandError;
 pub(crate) use folder::{Overwrite, check_folder, write_folder};
 pub use interrupt::end_between_files;
 pub(crate) use interrupt::uninterrupted;
+use place::refuse_folder;
+pub(crate) use place::{check_place, is_within};
 
 /// Writes a result: as JSON to a file or to `out`, where it is asked for, and as text to `out` unless the JSON went there.
 ///
@@ -88,48 +91,6 @@ fn draft_of(file: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     draft.as_file_mut().write_all(bytes)?;
     draft.as_file().sync_all()?;
     Ok(draft)
-}
-
-/// Refuses to replace one of the records by a result, however the two paths are written, before any work is done.
-///
-/// # Errors
-///
-/// [`CommandError::OverwritesRecord`]; [`CommandError::Write`] if the folder of the result does not exist, or a folder stands in its place.
-pub(crate) fn check_place(file: &Path, records: &[&Path]) -> Result<(), CommandError> {
-    if file == Path::new("-") {
-        return Ok(());
-    }
-    refuse_folder(file)?;
-    let folder =
-        file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    folder.metadata().map_err(|source| CommandError::Write { file: file.to_owned(), source })?;
-    let Ok(place) = file.canonicalize() else { return Ok(()) };
-    let same = |record: &&&Path| record.canonicalize().is_ok_and(|record| record == place);
-    match records.iter().find(same) {
-        Some(_) => Err(CommandError::OverwritesRecord { file: file.to_owned() }),
-        None => Ok(()),
-    }
-}
-
-/// Whether a file is that folder or will lie in it, however the two paths are written.
-pub(crate) fn is_within(file: &Path, folder: &Path) -> bool {
-    let whole = |path: &Path| {
-        // What is not there yet has a folder that is.
-        let known = path.ancestors().find_map(|known| Some((known, known.canonicalize().ok()?)));
-        let rest =
-            known.and_then(|(known, place)| Some(place.join(path.strip_prefix(known).ok()?)));
-        rest.or_else(|| std::path::absolute(path).ok()).unwrap_or_else(|| path.to_owned())
-    };
-    file != Path::new("-")
-        && whole(&Path::new(".").join(file)).starts_with(whole(&Path::new(".").join(folder)))
-}
-
-fn refuse_folder(place: &Path) -> Result<(), CommandError> {
-    if place.is_dir() {
-        let source = ErrorKind::IsADirectory.into();
-        return Err(CommandError::Write { file: place.to_owned(), source });
-    }
-    Ok(())
 }
 
 /// A temporary file with the rights of an ordinary one, which the user's mask may narrow.
