@@ -26,6 +26,7 @@ mod parquet;
 pub(crate) mod progress;
 pub(crate) mod raw;
 pub(crate) mod runs;
+mod same_units;
 pub(crate) mod sampling;
 pub(crate) mod segments;
 pub(crate) mod selection;

@@ -51,8 +51,7 @@ pub(crate) struct MonitorArgs {
 }
 
 fn span(text: &str) -> Result<f64, String> {
-    let found = text.trim().parse().ok().filter(|span: &f64| *span > 0.0 && span.is_finite());
-    found.ok_or_else(|| "a span is a positive number of seconds".to_owned())
+    super::values::positive(text).ok_or_else(|| "a span is a positive number of seconds".to_owned())
 }
 
 /// A rate of false alarms.

@@ -112,10 +112,7 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 fn positive(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
-        _ => Err("a positive number is needed".to_owned()),
-    }
+    super::values::positive(text).ok_or_else(|| "a positive number is needed".to_owned())
 }
 
 fn not_negative(text: &str) -> Result<f64, String> {

@@ -159,7 +159,8 @@ pub(crate) fn level(text: &str) -> Result<f64, String> {
     positive(text).ok_or_else(|| "a noise level is a positive number".to_owned())
 }
 
-fn positive(text: &str) -> Option<f64> {
+/// A positive number.
+pub(crate) fn positive(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value > 0.0)
 }
 

@@ -74,9 +74,3 @@ pub(super) fn drawn(count: usize, limit: usize, what: &str) -> String {
         String::new()
     }
 }
-
-/// A whole number as a coordinate.
-#[expect(clippy::cast_precision_loss, reason = "numbers of samples are far below 2^52")]
-pub(super) fn coordinate(number: usize) -> f64 {
-    number as f64
-}
