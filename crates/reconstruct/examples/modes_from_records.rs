@@ -6,9 +6,10 @@ use std::error::Error;
 use std::io::Write;
 
 use aircraft::{LateralModel, LateralState, SideForceScaling, Surface, catalog};
+use flight::Stream;
 use lti::{Discrete, SamplePeriod, StateSpace};
-use nalgebra::DMatrix;
-use reconstruct::{AsPrintedOptions, Channel, Record, as_printed};
+use reconstruct::paper::{Options, identify};
+use reconstruct::{Channel, Record};
 
 const SENSORS: [LateralState; 3] =
     [LateralState::Sideslip, LateralState::RollRate, LateralState::YawRate];
@@ -19,9 +20,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let system = model
         .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &SENSORS)?
         .zoh(SamplePeriod::new(0.1)?)?;
-    let records = [flight("aileron", 0, &system)?, flight("rudder", 1, &system)?];
+    let records = [fly("aileron", 0, &system)?, fly("rudder", 1, &system)?];
     // From here on nobody knows the system or what moved.
-    let result = as_printed(&records, &AsPrintedOptions::default())?;
+    let result = identify(&records, &Options::default())?;
     let mut out = std::io::stdout().lock();
     for (mode, zero) in result.modes.iter().zip(&result.shared.zeros) {
         writeln!(
@@ -36,17 +37,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// 100 s with one surface jerked about by a small pseudo-random generator.
-fn flight(
+/// 100 s with one surface moved by white noise.
+fn fly(
     name: &str,
     surface: usize,
     system: &StateSpace<Discrete>,
 ) -> Result<Record, Box<dyn Error>> {
-    let mut state = 1 + u32::try_from(surface)?;
-    let excitation = DMatrix::from_fn(1, 1000, |_, _| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(state) / f64::from(u32::MAX) - 0.5
-    });
+    let excitation = flight::normal(1, 1000, &mut Stream::new(1, u64::try_from(surface)?));
     let outputs = system.subsystem(&[0, 1, 2], &[surface])?.simulate(&excitation, None)?.outputs;
     let channel =
         |(row, name): (usize, &str)| Channel::new(name, outputs.row(row).iter().copied().collect());

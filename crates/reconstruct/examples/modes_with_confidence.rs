@@ -7,11 +7,9 @@ use std::io::Write;
 use std::time::Instant;
 
 use aircraft::{LateralModel, LateralState, SideForceScaling, Surface, catalog};
+use flight::Stream;
 use lti::{Discrete, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
-use rand_distr::{Distribution, StandardNormal};
 use reconstruct::{Channel, Method, Options, Record, reconstruct};
 
 const SENSORS: [LateralState; 3] =
@@ -24,11 +22,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let system = model
         .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &SENSORS)?
         .zoh(SamplePeriod::new(0.1)?)?;
-    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut random = Stream::new(1, 0);
     let levels = [0.03, 0.076, 0.059];
     let records = [
-        flight("aileron", 0, &system, samples, &levels, &mut random)?,
-        flight("rudder", 1, &system, samples, &levels, &mut random)?,
+        fly("aileron", 0, &system, samples, &levels, &mut random)?,
+        fly("rudder", 1, &system, samples, &levels, &mut random)?,
     ];
     // From here on nobody knows what moved.
     let mut out = std::io::stdout().lock();
@@ -49,10 +47,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         writeln!(out, "{:.5} +- {re:.5}  {:+.5}j +- {im:.5} 1/s", s.re, s.im)?;
     }
-    for level in found.noise_levels.iter().flatten() {
+    for level in found.noise_levels().iter().flatten() {
         writeln!(out, "noise level {:.5} +- {:.5}", level.value, level.deviation)?;
     }
-    for test in &found.whiteness {
+    for test in found.fit().map_or(&[][..], |fit| &fit.whiteness) {
         writeln!(out, "residuals of {} white? p = {:.2}", test.record, test.p_value)?;
     }
     for doubt in &found.doubts {
@@ -62,25 +60,22 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// One surface moves at random, each sensor with noise.
-fn flight(
+fn fly(
     name: &str,
     input: usize,
     system: &StateSpace<Discrete>,
     samples: usize,
     levels: &[f64],
-    random: &mut ChaCha8Rng,
+    random: &mut Stream,
 ) -> Result<Record, Box<dyn Error>> {
     let mut inputs = DMatrix::zeros(2, samples);
     for entry in inputs.row_mut(input).iter_mut() {
-        *entry = StandardNormal.sample(random);
+        *entry = random.normal();
     }
     let outputs = system.simulate(&inputs, None)?.outputs;
     let channels =
         SENSORS.iter().zip(levels).zip(outputs.row_iter()).map(|((sensor, level), row)| {
-            let noisy = row.into_iter().map(|value| {
-                let noise: f64 = StandardNormal.sample(random);
-                value + level * noise
-            });
+            let noisy = row.into_iter().map(|value| value + level * random.normal());
             Channel::new(format!("{sensor:?}"), noisy.collect())
         });
     let channels = channels.collect();

@@ -16,10 +16,10 @@ mod whitening;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use diagnosis::SubspaceDoubt;
-pub use evidence::{Intersection, NoiseEvidence, NoiseOrigin, RecordEvidence, SubspaceMode};
+pub use diagnosis::Doubt;
+pub use evidence::{Intersection, Mode, NoiseEvidence, NoiseOrigin, RecordEvidence};
 pub use excitation::ExcitationRank;
-pub use options::{Centring, DirectPath, OrderChoice, SubspaceOptions};
+pub use options::{Centring, DirectPath, Options, OrderChoice};
 pub use order::OrderEvidence;
 pub(crate) use order::{WEAK_GAP, best};
 
@@ -56,7 +56,7 @@ use whitening::Whitening;
 /// | symbol | what | shape |
 /// |---|---|---|
 /// | J, m, n | records, sensors, states | |
-/// | L | block rows, [`SubspaceOptions::block_rows`] | |
+/// | L | block rows, [`Options::block_rows`] | |
 /// | `N_j` | noise directions of record j | mL x (mL - (L - 1) - n), one less with a direct path |
 ///
 /// Needed are J (m - 1) > m, so two records of three sensors or three records of two, L >= (J - 1) n / (J (m - 1) - m), and directions `b_j`
@@ -79,30 +79,15 @@ use whitening::Whitening;
 ///
 /// # Example
 ///
-/// Two states decay by 0.9 and 0.5 a step; three sensors read x1 + x2, x1 - x2 and x1 + 3 x2. The first record is excited through
-/// b = (1, 1), the second through b = (1, 2).
+/// Two records of x1 and x2, which decay by 0.9 and 0.5 a step; three sensors read x1 + x2, x1 - x2 and x1 + 3 x2. The first
+/// record is excited through b = (1, 1), the second through b = (1, 2).
 ///
 /// ```
-/// use lti::SamplePeriod;
-/// use reconstruct::{Channel, Record, SubspaceOptions, intersect};
+#[doc = include_str!("doctest/two_decays.md")]
+/// use reconstruct::subspace::{Options, identify};
 ///
-/// let record = |name: &str, b: [f64; 2], seed: u32| {
-///     let (mut x, mut noise) = ([0.0, 0.0], seed);
-///     let mut outputs = vec![Vec::new(); 3];
-///     for _ in 0..400 {
-///         let [x1, x2] = x;
-///         for (output, value) in outputs.iter_mut().zip([x1 + x2, x1 - x2, x1 + 3.0 * x2]) {
-///             output.push(value);
-///         }
-///         noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-///         let u = f64::from(noise) / 4e9 - 0.5;
-///         x = [0.9 * x1 + b[0] * u, 0.5 * x2 + b[1] * u];
-///     }
-///     let channels = outputs.into_iter().zip(["y1", "y2", "y3"]).map(|(values, name)| Channel::new(name, values));
-///     Record::new(name, SamplePeriod::new(1.0)?, channels.collect()).map_err(Box::<dyn std::error::Error>::from)
-/// };
-/// let records = [record("first", [1.0, 1.0], 1)?, record("second", [1.0, 2.0], 2)?];
-/// let found = intersect(&records, &SubspaceOptions::default())?;
+/// let records = two_decays(0.9, 400, 0.0)?;
+/// let found = identify(&records, &Options::default())?;
 /// assert_eq!(found.order.order, 2);
 /// assert!((found.modes[0].pole.re - 0.5).abs() < 1e-10);
 /// assert!((found.modes[1].pole.re - 0.9).abs() < 1e-10);
@@ -110,10 +95,7 @@ use whitening::Whitening;
 /// assert!(found.doubts.is_empty(), "{:?}", found.doubts);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn intersect(
-    records: &[Record],
-    options: &SubspaceOptions,
-) -> Result<Intersection, ReconstructError> {
+pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, ReconstructError> {
     let setting = Setting::new(records, options)?;
     let extent = setting.extent(options.order, options.block_rows)?;
     let probe = levels::window_rows(setting.sensors, extent.largest_order, extent.block_rows);

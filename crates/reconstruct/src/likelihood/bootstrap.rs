@@ -4,21 +4,23 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
-use super::feedback::feedback;
-use super::finished::{Finished, finished};
-use super::options::{LikelihoodNoise, LikelihoodOptions};
-use super::spectrum::{Entry, RecordSpectrum, count};
-use super::system::System;
-use super::{ComplexEstimate, LikelihoodFit, maximise};
-use crate::matching::closest_pairs;
-use crate::noise_spectrum::inverse_of_hermitian;
+use super::identify::identify;
+use super::inference::refit::{Finished, finished};
+use super::inference::uncertainty::ComplexEstimate;
+use crate::likelihood::cost::feedback::feedback;
+use crate::likelihood::cost::parameters::System;
+use crate::likelihood::cost::spectrum::{Entry, RecordSpectrum};
+use crate::likelihood::inference::fit::Fit;
+use crate::likelihood::options::{Noise, Options};
+use crate::model::matching::closest_pairs;
+use crate::model::noise_spectrum::inverse_of_hermitian;
 use crate::{Channel, ReconstructError, Record};
 
 /// How modes scatter when the noise is drawn anew.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Bootstrap {
-    /// The modes, in the order of [`LikelihoodFit::modes`].
+    /// The modes, in the order of [`Fit::modes`].
     pub modes: Vec<BootstrapMode>,
     /// Repetitions whose modes could not be told: no fit, or another number of modes.
     pub lost: usize,
@@ -41,18 +43,18 @@ pub struct BootstrapMode {
 /// is 1 / sqrt(2 R) of a deviation after R repetitions. The excitation at its best holds a part of the noise, so that at signal-to-noise ratios near 1 the
 /// repetitions are a little too well excited.
 ///
-/// `fit` is the result of [`maximise`] for the same records and options. `normal` is called for independent standard normal numbers; the same numbers
+/// `fit` is the result of [`identify`](crate::likelihood::identify) for the same records and options. `normal` is called for independent standard normal numbers; the same numbers
 /// give the same result.
 ///
 /// Source: Efron & Tibshirani, An Introduction to the Bootstrap (1993), 6.5.
 ///
 /// # Errors
 ///
-/// Those of [`maximise`] for records and options, and [`ReconstructError::Option`] for fewer than two repetitions or where fewer than two could be told.
+/// Those of [`identify`](crate::likelihood::identify) for records and options, and [`ReconstructError::Option`] for fewer than two repetitions or where fewer than two could be told.
 pub fn bootstrap(
     records: &[Record],
-    fit: &LikelihoodFit,
-    options: &LikelihoodOptions,
+    fit: &Fit,
+    options: &Options,
     repetitions: usize,
     normal: &mut dyn FnMut() -> f64,
 ) -> Result<Bootstrap, ReconstructError> {
@@ -82,7 +84,7 @@ pub fn bootstrap(
                 repeat(record, spectrum, parts, &units, &mut planner, normal)
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let modes = match maximise(&repeated, starts, &again) {
+        let modes = match identify(&repeated, starts, &again) {
             Ok(fit) if fit.modes.len() == found.len() => fit.modes,
             _ => {
                 lost += 1;
@@ -105,11 +107,11 @@ fn too_few(message: String) -> ReconstructError {
 }
 
 /// The options of the repetitions: levels that were estimated are estimated again.
-fn refitted(fit: &LikelihoodFit, options: &LikelihoodOptions) -> LikelihoodOptions {
-    let mut again = LikelihoodOptions { hold: Some(fit.hold), ..options.clone() };
-    if let (LikelihoodNoise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
+fn refitted(fit: &Fit, options: &Options) -> Options {
+    let mut again = Options { hold: Some(fit.hold), ..options.clone() };
+    if let (Noise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
         let levels = levels.iter().map(|level| level.value).collect();
-        again.noise = LikelihoodNoise::Estimated { first_guess: Some(levels) };
+        again.noise = Noise::Estimated { first_guess: Some(levels) };
     }
     again
 }
@@ -212,7 +214,7 @@ fn repeat(
         }
     }
     let inverse = planner.plan_fft_inverse(samples);
-    let scale = 1.0 / count(samples).sqrt();
+    let scale = 1.0 / (samples as f64).sqrt();
     let mut channels = Vec::with_capacity(sensors);
     for ((channel, mut change), unit) in record.channels().iter().zip(changes).zip(units) {
         let mut output = inverse.make_output_vec();
@@ -235,12 +237,12 @@ fn frequency_index(z: Complex<f64>, samples: usize) -> usize {
         clippy::cast_sign_loss,
         reason = "between 0 and half the number of samples"
     )]
-    let index = (turns * count(samples)).round() as usize;
+    let index = (turns * samples as f64).round() as usize;
     index
 }
 
 fn scatter(values: Vec<Complex<f64>>) -> BootstrapMode {
-    let number = count(values.len());
+    let number = values.len() as f64;
     let mean = values.iter().sum::<Complex<f64>>() / number;
     let mut covariance = Matrix2::zeros();
     for value in &values {

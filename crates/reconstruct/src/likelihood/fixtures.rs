@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::{LikelihoodFit, LikelihoodNoise, LikelihoodOptions};
+use super::{Fit, Noise, Options};
 use crate::{Channel, Record, SharedModel};
 
 /// A source of standard normal numbers.
@@ -160,19 +160,16 @@ pub(crate) fn perturbed(model: &SharedModel, part: f64, normal: &mut Normal) -> 
 }
 
 /// Options for records with these levels.
-pub(crate) fn given(levels: &[f64]) -> LikelihoodOptions {
-    LikelihoodOptions {
-        noise: LikelihoodNoise::Given(levels.to_vec()),
-        ..LikelihoodOptions::default()
-    }
+pub(crate) fn given(levels: &[f64]) -> Options {
+    Options { noise: Noise::Given(levels.to_vec()), ..Options::default() }
 }
 
 /// For each eigenvalue the distance of the closest fitted one, and that distance over its deviation.
-pub(crate) fn misses(fit: &LikelihoodFit, eigenvalues: &[Complex<f64>]) -> Vec<(f64, f64)> {
+pub(crate) fn misses(fit: &Fit, eigenvalues: &[Complex<f64>]) -> Vec<(f64, f64)> {
     eigenvalues
         .iter()
         .map(|z| {
-            let distance = |mode: &&super::ModeEstimate| (mode.discrete.value - z).norm();
+            let distance = |mode: &&super::Mode| (mode.discrete.value - z).norm();
             let mode = fit.modes.iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).unwrap();
             let deviation = mode.discrete.covariance.trace().sqrt();
             (distance(&mode), distance(&mode) / deviation)

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::fixtures::{Disturbance, Normal, QUIET, fly, given, misses, perturbed, system};
 use super::*;
-use crate::{AutoregressionOrder, Channel, VectorAutoregression};
+use crate::{Channel, Measurement, Offsets, Record, SharedModel, Trend};
 
 /// Records and oracle of one pair.
 pub(super) struct Oracle {
@@ -59,14 +59,18 @@ pub(super) fn start(value: &Value) -> SharedModel {
     }
 }
 
-fn options(noise: LikelihoodNoise, key: &str) -> LikelihoodOptions {
+fn options(noise: Noise, key: &str) -> Options {
     let offsets = if key == "offsets_free" { Offsets::Free } else { Offsets::Zero };
-    LikelihoodOptions { noise, offsets, ..LikelihoodOptions::default() }
+    Options {
+        noise,
+        measurement: Measurement { offsets, ..Measurement::default() },
+        ..Options::default()
+    }
 }
 
 /// The fitted mode closest to an eigenvalue in rad/s.
-fn closest(fit: &LikelihoodFit, s: Complex<f64>) -> &ModeEstimate {
-    let distance = |mode: &&ModeEstimate| (mode.continuous.value - s).norm();
+fn closest(fit: &Fit, s: Complex<f64>) -> &Mode {
+    let distance = |mode: &&Mode| (mode.continuous.value - s).norm();
     fit.modes.iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).unwrap()
 }
 
@@ -78,8 +82,8 @@ fn agrees_with_numpy_where_noise_levels_are_known() {
         let Oracle { records, value } = oracle(pair);
         for key in ["offsets_zero", "offsets_free"] {
             let part = &value[key];
-            let options = options(LikelihoodNoise::Given(numbers(&value["noise_true"])), key);
-            let fit = maximise(&records, &[start(part)], &options).unwrap();
+            let options = options(Noise::Given(numbers(&value["noise_true"])), key);
+            let fit = identify(&records, &[start(part)], &options).unwrap();
             assert_eq!(fit.search.status, SearchStatus::Converged, "{pair} {key}");
             assert_eq!((fit.determined, fit.identifiable), (18, 18));
             let expected = part["known"]["chi_squared_per_degree"].as_f64().unwrap();
@@ -118,8 +122,8 @@ fn estimated_levels_are_those_of_the_simulation() {
     for pair in PAIRS {
         let Oracle { records, value } = oracle(pair);
         for key in ["offsets_zero", "offsets_free"] {
-            let options = options(LikelihoodNoise::Estimated { first_guess: None }, key);
-            let fit = maximise(&records, &[start(&value[key])], &options).unwrap();
+            let options = options(Noise::Estimated { first_guess: None }, key);
+            let fit = identify(&records, &[start(&value[key])], &options).unwrap();
             assert!(fit.search.levels_settled && fit.search.status == SearchStatus::Converged);
             let truth = numbers(&value["noise_true"]);
             for (level, truth) in fit.noise_levels.as_ref().unwrap().iter().zip(&truth) {
@@ -135,9 +139,8 @@ fn estimated_levels_are_those_of_the_simulation() {
                 assert!(test.p_value > 0.01, "{pair} {key} {}: {}", test.record, test.p_value);
             }
             // With the true levels chi-squared says the same: the levels found explain the residuals.
-            let known =
-                LikelihoodOptions { noise: LikelihoodNoise::Given(truth), ..options.clone() };
-            let known = maximise(&records, from_ref(&fit.model), &known).unwrap();
+            let known = Options { noise: Noise::Given(truth), ..options.clone() };
+            let known = identify(&records, from_ref(&fit.model), &known).unwrap();
             let limit = if records[0].samples() == 2000 { 0.03 } else { 0.10 };
             assert!((known.chi_squared.per_degree_of_freedom() - 1.0).abs() < limit);
             assert!(known.chi_squared.p_value.unwrap() > 0.01);
@@ -181,7 +184,7 @@ proptest! {
         let samples: Vec<usize> = (0..records).map(|k| 150 + 17 * k).collect();
         let flights = fly(&truth, &samples, &QUIET, &mut normal);
         let start = perturbed(&truth, 1e-3, &mut normal);
-        let fit = maximise(&flights.records, &[start], &given(&flights.levels)).unwrap();
+        let fit = identify(&flights.records, &[start], &given(&flights.levels)).unwrap();
         for (miss, _) in misses(&fit, &eigenvalues) {
             prop_assert!(miss < 1e-7, "{eigenvalues:?} {miss:e} {:?}", fit.search);
         }
@@ -202,8 +205,8 @@ proptest! {
         let disturbance = Disturbance { noise: 0.01, ..QUIET };
         let flights = fly(&truth, &vec![400; records], &disturbance, &mut normal);
         let start = perturbed(&truth, 1e-3, &mut normal);
-        let options = LikelihoodOptions::default();
-        let fit = maximise(&flights.records, &[start], &options).unwrap();
+        let options = Options::default();
+        let fit = identify(&flights.records, &[start], &options).unwrap();
         prop_assert_eq!(fit.search.status, SearchStatus::Converged);
         for (miss, deviations) in misses(&fit, &eigenvalues) {
             prop_assert!(deviations < 5.0, "{eigenvalues:?} {miss:e} {deviations}");
@@ -224,7 +227,7 @@ fn deviations_are_those_of_the_errors() {
         let mut normal = Normal::new(1000 + seed);
         let disturbance = Disturbance { noise: 0.1, ..QUIET };
         let flights = fly(&truth, &[300, 300], &disturbance, &mut normal);
-        let fit = maximise(&flights.records, &[truth], &LikelihoodOptions::default()).unwrap();
+        let fit = identify(&flights.records, &[truth], &Options::default()).unwrap();
         for (k, &z) in eigenvalues.iter().enumerate() {
             let mode = fit.modes.iter().min_by(|x, y| {
                 (x.discrete.value - z).norm().total_cmp(&(y.discrete.value - z).norm())
@@ -265,7 +268,7 @@ fn poles_on_the_unit_circle_and_repeated_ones() {
     let truth = system(&eigenvalues, 4, 3, &mut normal);
     let flights = fly(&truth, &[400; 3], &QUIET, &mut normal);
     for start in [truth.clone(), perturbed(&truth, 1e-3, &mut normal)] {
-        let fit = maximise(&flights.records, &[start], &given(&flights.levels)).unwrap();
+        let fit = identify(&flights.records, &[start], &given(&flights.levels)).unwrap();
         assert!(fit.chi_squared.value < 1e-12, "{:?}", fit.search);
         for (k, (miss, _)) in misses(&fit, &eigenvalues).into_iter().enumerate() {
             // A semisimple double eigenvalue is as sharp as others, its neighbours in A are defective: half the digits.
@@ -282,7 +285,7 @@ fn two_sensors_and_three_records() {
     let disturbance = Disturbance { noise: 0.003, ..QUIET };
     let flights = fly(&truth, &[1000, 900, 1100], &disturbance, &mut normal);
     let start = perturbed(&truth, 1e-3, &mut normal);
-    let fit = maximise(&flights.records, &[start], &LikelihoodOptions::default()).unwrap();
+    let fit = identify(&flights.records, &[start], &Options::default()).unwrap();
     assert_eq!(fit.search.status, SearchStatus::Converged);
     assert_eq!((fit.determined, fit.identifiable), (12, 12));
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
@@ -297,7 +300,7 @@ fn ten_records_of_ten_lengths() {
     let disturbance = Disturbance { noise: 0.02, ..QUIET };
     let flights = fly(&truth, &samples, &disturbance, &mut normal);
     let start = perturbed(&truth, 1e-2, &mut normal);
-    let fit = maximise(&flights.records, &[start], &LikelihoodOptions::default()).unwrap();
+    let fit = identify(&flights.records, &[start], &Options::default()).unwrap();
     assert_eq!(fit.determined, 3 * 10 + 3 * 3 - 10);
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
     assert_eq!((fit.whiteness.len(), fit.record_chi_squared.len()), (10, 10));
@@ -313,12 +316,12 @@ fn ten_states_six_sensors_five_records() {
     let samples = [400, 300, 350, 301, 420];
     let clean = fly(&truth, &samples, &QUIET, &mut normal);
     let start = perturbed(&truth, 1e-4, &mut normal);
-    let fit = maximise(&clean.records, from_ref(&start), &given(&clean.levels)).unwrap();
+    let fit = identify(&clean.records, from_ref(&start), &given(&clean.levels)).unwrap();
     assert_eq!((fit.determined, fit.identifiable), (105, 105));
     assert!(misses(&fit, &eigenvalues).iter().all(|(miss, _)| *miss < 1e-7), "{:?}", fit.search);
     let disturbance = Disturbance { noise: 0.01, ..QUIET };
     let noisy = fly(&truth, &samples, &disturbance, &mut normal);
-    let fit = maximise(&noisy.records, &[start], &LikelihoodOptions::default()).unwrap();
+    let fit = identify(&noisy.records, &[start], &Options::default()).unwrap();
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 5.0));
 }
 
@@ -332,7 +335,7 @@ fn directions_need_no_start() {
     // Directions that have nothing to do with the true ones.
     let wrong = SharedModel { b: vec![normal.vector(4), normal.vector(4)], ..truth.clone() };
     let options = given(&flights.levels);
-    let fit = maximise(&flights.records, from_ref(&wrong), &options).unwrap();
+    let fit = identify(&flights.records, from_ref(&wrong), &options).unwrap();
     assert_eq!(fit.starts[0].direction_replaced, [true, true]);
     assert!(fit.chi_squared.p_value.unwrap() > 0.01, "{:?} {:?}", fit.chi_squared, fit.search);
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
@@ -346,17 +349,23 @@ fn the_best_start_wins_and_the_others_are_told() {
     let disturbance = Disturbance { noise: 0.01, ..QUIET };
     let flights = fly(&truth, &[300, 300], &disturbance, &mut normal);
     let elsewhere = system(&[Complex::new(-0.5, 0.3), Complex::new(-0.9, 0.0)], 3, 2, &mut normal);
-    let options = LikelihoodOptions { largest_steps: 3, ..given(&flights.levels) };
-    let fit = maximise(&flights.records, &[elsewhere, truth], &options).unwrap();
+    let options = Options {
+        search: SearchOptions { max_steps: 3, ..given(&flights.levels).search.clone() },
+        ..given(&flights.levels)
+    };
+    let fit = identify(&flights.records, &[elsewhere, truth], &options).unwrap();
     assert_eq!((fit.best_start, fit.starts.len()), (1, 2));
     assert!(fit.starts[0].objective > 2.0 * fit.starts[1].objective);
     assert_eq!(fit.search, fit.starts[1].search.clone().unwrap());
     // More steps never end higher.
     let mut last = f64::INFINITY;
-    for largest_steps in 0..6 {
-        let options = LikelihoodOptions { largest_steps, ..options.clone() };
+    for max_steps in 0..6 {
+        let options = Options {
+            search: SearchOptions { max_steps, ..options.search.clone() },
+            ..options.clone()
+        };
         let start = perturbed(&fit.model, 1e-2, &mut Normal::new(1));
-        let cost = maximise(&flights.records, &[start], &options).unwrap().starts[0].objective;
+        let cost = identify(&flights.records, &[start], &options).unwrap().starts[0].objective;
         assert!(cost <= last * (1.0 + 1e-12), "{cost} after {last}");
         last = cost;
     }
@@ -370,8 +379,14 @@ fn what_cannot_be_identified_is_counted() {
     let mut truth = system(&eigenvalues, 3, 2, &mut normal);
     truth.b[1] = &truth.b[0] * -2.0;
     let flights = fly(&truth, &[300, 300], &QUIET, &mut normal);
-    let options = LikelihoodOptions { directions: Directions::AsStarted, ..given(&flights.levels) };
-    let fit = maximise(&flights.records, &[truth], &options).unwrap();
+    let options = Options {
+        search: SearchOptions {
+            directions: InputDirections::AsStarted,
+            ..given(&flights.levels).search.clone()
+        },
+        ..given(&flights.levels)
+    };
+    let fit = identify(&flights.records, &[truth], &options).unwrap();
     assert!(fit.determined < fit.identifiable, "{} of {}", fit.determined, fit.identifiable);
 }
 
@@ -382,7 +397,7 @@ fn the_same_whatever_the_units_and_the_basis() {
     let truth = system(&eigenvalues, 3, 2, &mut normal);
     let disturbance = Disturbance { noise: 0.02, ..QUIET };
     let flights = fly(&truth, &[200, 201], &disturbance, &mut normal);
-    let plain = maximise(&flights.records, from_ref(&truth), &given(&flights.levels)).unwrap();
+    let plain = identify(&flights.records, from_ref(&truth), &given(&flights.levels)).unwrap();
     let unit = [1e6, 1.0, 1e-6];
     let records: Vec<_> = flights
         .records
@@ -401,7 +416,7 @@ fn the_same_whatever_the_units_and_the_basis() {
     for (mut row, unit) in start.c.row_iter_mut().zip(unit) {
         row *= unit;
     }
-    let scaled = maximise(&records, &[start], &given(&levels)).unwrap();
+    let scaled = identify(&records, &[start], &given(&levels)).unwrap();
     assert!((plain.chi_squared.value / scaled.chi_squared.value - 1.0).abs() < 1e-6);
     for (x, y) in plain.modes.iter().zip(&scaled.modes) {
         let deviation = x.discrete.real_deviation();

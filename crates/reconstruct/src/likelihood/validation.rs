@@ -1,18 +1,17 @@
 //! What is asked of records, starts and options before anything is computed.
 
-use super::options::{
-    Directions, FrequencyBand, Hold, LikelihoodNoise, LikelihoodOptions, Offsets,
-};
-use super::system::Layout;
+use super::cost::parameters::Layout;
+use super::options::{FrequencyBand, Hold, InputDirections, Noise, Options};
+use crate::Offsets;
 use crate::error::check_tolerance;
-use crate::record::check_compatible;
+use crate::model::record::check_compatible;
 use crate::{ReconstructError, Record, SharedModel};
 
 /// Checks that everything fits together, and says how many unknowns there are.
 pub(super) fn check(
     records: &[Record],
     starts: &[SharedModel],
-    options: &LikelihoodOptions,
+    options: &Options,
 ) -> Result<Layout, ReconstructError> {
     let [first, _, ..] = records else {
         return Err(ReconstructError::TooFewRecords { found: records.len(), needed: 2 });
@@ -22,7 +21,7 @@ pub(super) fn check(
     if sensors < 2 {
         return Err(ReconstructError::TooFewSensors { found: sensors, needed: 2 });
     }
-    crate::record::refuse_constant_channels(records)?;
+    crate::model::record::refuse_constant_channels(records)?;
     check_options(records, sensors, options)?;
     let Some(start) = starts.first() else {
         return Err(option("starts", "none is given, at least one is needed".to_owned()));
@@ -35,7 +34,7 @@ pub(super) fn check(
         order,
         sensors,
         records: records.len(),
-        feedthrough: options.feedthrough_sensors.clone(),
+        feedthrough: options.measurement.feedthrough_sensors.clone(),
         hold: options.hold.unwrap_or(Hold::ZeroOrder),
     })
 }
@@ -47,20 +46,19 @@ fn option(name: &'static str, message: String) -> ReconstructError {
 fn check_options(
     records: &[Record],
     sensors: usize,
-    options: &LikelihoodOptions,
+    options: &Options,
 ) -> Result<(), ReconstructError> {
     if options.threads == 0 {
         return Err(option("the number of threads", "0; at least 1 is needed".to_owned()));
     }
-    check_tolerance("the tolerance of the last step", options.step_tolerance)?;
-    check_tolerance("the tolerance of the noise levels", options.level_tolerance)?;
+    check_tolerance("the tolerance of the last step", options.search.step_tolerance)?;
+    check_tolerance("the tolerance of the noise levels", options.search.level_tolerance)?;
     match &options.noise {
-        LikelihoodNoise::Given(levels)
-        | LikelihoodNoise::Estimated { first_guess: Some(levels) } => {
+        Noise::Given(levels) | Noise::Estimated { first_guess: Some(levels) } => {
             check_levels("noise levels", levels, sensors)?;
         }
-        LikelihoodNoise::Estimated { first_guess: None } => {}
-        LikelihoodNoise::Spectra(spectra) => {
+        Noise::Estimated { first_guess: None } => {}
+        Noise::Spectra(spectra) => {
             let shapes = spectra.iter().map(|spectrum| (spectrum.samples(), spectrum.sensors()));
             let needed = records.iter().map(|record| (record.samples(), sensors));
             if !shapes.clone().eq(needed.clone()) {
@@ -74,7 +72,7 @@ fn check_options(
             }
         }
     }
-    if let Offsets::PriorDeviation(deviations) = &options.offsets {
+    if let Offsets::PriorDeviation(deviations) = &options.measurement.offsets {
         check_levels("deviations of offsets", deviations, sensors)?;
     }
     if let Some(FrequencyBand { lowest_rad_s, highest_rad_s }) = options.band
@@ -82,7 +80,7 @@ fn check_options(
     {
         return Err(option("band", format!("from {lowest_rad_s} to {highest_rad_s} rad/s")));
     }
-    let listed = &options.feedthrough_sensors;
+    let listed = &options.measurement.feedthrough_sensors;
     for (place, &sensor) in listed.iter().enumerate() {
         if sensor >= sensors || listed[..place].contains(&sensor) {
             return Err(option(
@@ -91,7 +89,7 @@ fn check_options(
             ));
         }
     }
-    check_known_inputs(records, &options.known_inputs)
+    crate::model::known_inputs::check_known_inputs(records, &options.measurement.known_inputs)
 }
 
 fn check_levels(
@@ -105,54 +103,13 @@ fn check_levels(
     levels.iter().try_for_each(|&level| check_tolerance(name, level))
 }
 
-/// Refuses inputs that do not fit the records: for each record a list of signals as long as the record, finite and not zero throughout.
-pub(crate) fn check_known_inputs(
-    records: &[Record],
-    inputs: &[Vec<Vec<f64>>],
-) -> Result<(), ReconstructError> {
-    const NAME: &str = "known inputs";
-    if !inputs.is_empty() && inputs.len() != records.len() {
-        return Err(option(
-            NAME,
-            format!("lists for {} of {} records", inputs.len(), records.len()),
-        ));
-    }
-    for (record, list) in records.iter().zip(inputs) {
-        for input in list {
-            if input.len() != record.samples() {
-                return Err(option(
-                    NAME,
-                    format!(
-                        "record {:?} has {} samples, an input of it {}",
-                        record.name(),
-                        record.samples(),
-                        input.len()
-                    ),
-                ));
-            }
-            if input.iter().any(|value| !value.is_finite())
-                || input.iter().all(|&v| v.abs() < f64::MIN_POSITIVE)
-            {
-                return Err(option(
-                    NAME,
-                    format!(
-                        "an input of record {:?} is not finite or zero throughout",
-                        record.name()
-                    ),
-                ));
-            }
-        }
-    }
-    Ok(())
-}
-
 fn check_start(
     index: usize,
     start: &SharedModel,
     order: usize,
     records: &[Record],
     sensors: usize,
-    options: &LikelihoodOptions,
+    options: &Options,
 ) -> Result<(), ReconstructError> {
     let fault = |message: String| Err(ReconstructError::Start { start: index, message });
     if order == 0 || start.a.shape() != (order, order) {
@@ -183,11 +140,16 @@ fn check_start(
     }
     let idle = |record: usize| {
         let d = start.feedthrough.as_ref().map_or(0.0, |all| {
-            options.feedthrough_sensors.iter().map(|&sensor| all[record][sensor].abs()).sum()
+            options
+                .measurement
+                .feedthrough_sensors
+                .iter()
+                .map(|&sensor| all[record][sensor].abs())
+                .sum()
         });
         start.b[record].norm() + d == 0.0
     };
-    if options.directions == Directions::AsStarted
+    if options.search.directions == InputDirections::AsStarted
         && let Some(record) = (0..records.len()).find(|&record| idle(record))
     {
         return fault(format!("the direction of record {record} is zero"));

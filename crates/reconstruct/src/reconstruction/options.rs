@@ -1,21 +1,22 @@
 //! One set of options for both stages, and what each stage takes from it.
 
-use crate::likelihood::rms;
+use crate::likelihood::{FrequencyBand, Hold, Noise, SearchOptions};
+use crate::model::record::rms;
+use crate::model::{AutoregressionOrder, VectorAutoregression};
+use crate::subspace::{Centring, DirectPath, Intersection, NoiseOrigin, OrderChoice};
 use crate::{
-    AsPrintedOptions, AutoregressionOrder, Centring, DirectPath, FrequencyBand, Hold, Intersection,
-    LikelihoodNoise, LikelihoodOptions, NoiseModel, NoiseOrigin, Offsets, OrderChoice,
-    ReconstructError, Record, SubspaceOptions, Trend, VectorAutoregression,
+    Measurement, NoiseModel, Offsets, ReconstructError, Record, Trend, likelihood, paper, subspace,
 };
 
 /// How to reconstruct.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Method {
-    /// The printed method, for records without noise.
-    AsPrinted,
-    /// Intersection of signal subspaces: closed form, noise and any excitation, no deviations.
+    /// The method of the paper, for records without noise.
+    Paper,
+    /// Intersection of signal subspaces: closed form, noise and any excitation, no standard errors.
     Subspace,
-    /// Maximum likelihood from there on: as accurate as the records allow, with deviations. The default.
+    /// Maximum likelihood from there on: as accurate as the records allow, with standard errors. The default.
     #[default]
     MaximumLikelihood,
 }
@@ -25,7 +26,8 @@ pub enum Method {
 /// # Example
 ///
 /// ```
-/// use reconstruct::{Method, NoiseModel, Options, OrderChoice};
+/// use reconstruct::subspace::OrderChoice;
+/// use reconstruct::{Method, NoiseModel, Options};
 ///
 /// let mut options = Options::default();
 /// options.order = OrderChoice::Fixed(4);
@@ -40,54 +42,44 @@ pub struct Options {
     /// The noise of the sensors, for both stages; by default white with estimated levels. A quiet record gives its covariance to the
     /// first stage and the spectrum of its vector autoregression to the second.
     pub noise: NoiseModel,
+    /// Offsets, drift and feedthrough of the sensors, and recorded inputs, for both stages. The first stage centres its rows unless offsets
+    /// are zero and drift is absent. [`Method::Paper`] knows of none of these.
+    pub measurement: Measurement,
     /// The number of states; by default from the gap among orders up to 10.
     pub order: OrderChoice,
     /// The number of block rows of the first stage; `None` uses its rule, half of them, and one and a half times as many.
     pub block_rows: Option<usize>,
-    /// Sensor offsets; by default zero, since offsets that may be anything hide the slow modes of short records. The first stage centres its
-    /// rows unless they are zero.
-    pub offsets: Offsets,
-    /// Drift of the sensors; by default absent. The first stage knows of none and centres its rows.
-    pub trend: Trend,
     /// The frequencies that the second stage uses; by default all.
     pub band: Option<FrequencyBand>,
-    /// Indices of the sensors that read the excitation directly, as accelerometers do; by default none.
-    pub feedthrough_sensors: Vec<usize>,
-    /// Inputs that were recorded: for each record a list of signals as long as the record. Empty where nothing was recorded. [`Method::AsPrinted`]
-    /// knows of none.
-    pub known_inputs: Vec<Vec<Vec<f64>>>,
     /// How the excitation moves between samples; `None`, the default, takes what is more likely. The first stage takes it as held.
     pub hold: Option<Hold>,
+    /// How far the second stage's search goes.
+    pub search: SearchOptions,
     /// Whether real modes get an interval from the likelihood itself, which need not be symmetric; by default not, since it takes as long as the fit. The
-    /// deviations hold to first order: for modes that are slow beside the records, at signal to noise ratios around 10, they are too small or too large.
+    /// standard errors hold to first order: for modes that are slow beside the records, at signal to noise ratios around 10, they are too small or too large.
     pub profile: bool,
-    /// The most steps of the second stage's search between two updates of the noise levels; by default 100.
-    pub largest_steps: usize,
     /// How many threads the second stage has for long records; by default 1. The result does not depend on it.
     pub threads: usize,
-    /// For [`Method::AsPrinted`].
-    pub printed: AsPrintedOptions,
+    /// For [`Method::Paper`].
+    pub paper: paper::Options,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        let first = SubspaceOptions::default();
-        let second = LikelihoodOptions::default();
+        let first = subspace::Options::default();
+        let second = likelihood::Options::default();
         Self {
             method: Method::default(),
             noise: first.noise,
+            measurement: second.measurement,
             order: first.order,
             block_rows: first.block_rows,
-            offsets: second.offsets,
-            trend: second.trend,
             band: second.band,
-            feedthrough_sensors: second.feedthrough_sensors,
-            known_inputs: second.known_inputs,
             hold: second.hold,
+            search: second.search,
             profile: false,
-            largest_steps: second.largest_steps,
             threads: second.threads,
-            printed: AsPrintedOptions::default(),
+            paper: paper::Options::default(),
         }
     }
 }
@@ -100,15 +92,17 @@ const LONGEST_AUTOREGRESSION: usize = 24;
 
 impl Options {
     /// The options of the first stage.
-    pub(super) fn subspace(&self) -> SubspaceOptions {
-        let still = self.offsets == Offsets::Zero && self.trend == Trend::Absent;
-        let direct = !self.feedthrough_sensors.is_empty();
-        SubspaceOptions {
+    #[must_use]
+    pub fn subspace(&self) -> subspace::Options {
+        let Measurement { offsets, trend, feedthrough_sensors, known_inputs } = &self.measurement;
+        let still = *offsets == Offsets::Zero && *trend == Trend::Absent;
+        let direct = !feedthrough_sensors.is_empty();
+        subspace::Options {
             order: self.order,
             block_rows: self.block_rows,
             noise: self.noise.clone(),
             centring: if still { Centring::None } else { Centring::Rows },
-            known_inputs: self.known_inputs.clone(),
+            known_inputs: known_inputs.clone(),
             direct_path: if direct { DirectPath::Present } else { DirectPath::Absent },
         }
     }
@@ -118,32 +112,28 @@ impl Options {
         &self,
         records: &[Record],
         first: &Intersection,
-    ) -> Result<LikelihoodOptions, ReconstructError> {
+    ) -> Result<likelihood::Options, ReconstructError> {
         let noise = match &self.noise {
-            NoiseModel::Levels(levels) => LikelihoodNoise::Given(levels.clone()),
+            NoiseModel::Levels(levels) => Noise::Given(levels.clone()),
             NoiseModel::Estimated if first.noise.origin == NoiseOrigin::Rounding => {
-                LikelihoodNoise::Given(levels_without_noise(records, &first.noise.deviations))
+                Noise::Given(levels_without_noise(records, &first.noise.deviations))
             }
             NoiseModel::Estimated => {
-                LikelihoodNoise::Estimated { first_guess: Some(first.noise.deviations.clone()) }
+                Noise::Estimated { first_guess: Some(first.noise.deviations.clone()) }
             }
             NoiseModel::Quiet(quiet) => {
                 let fitted = VectorAutoregression::fit(quiet, longest(quiet))?;
                 let spectra = records.iter().map(|record| fitted.spectrum(record.samples()));
-                LikelihoodNoise::Spectra(spectra.collect::<Result<_, _>>()?)
+                Noise::Spectra(spectra.collect::<Result<_, _>>()?)
             }
         };
-        Ok(LikelihoodOptions {
+        Ok(likelihood::Options {
             noise,
-            offsets: self.offsets.clone(),
-            trend: self.trend,
+            measurement: self.measurement.clone(),
             band: self.band,
-            feedthrough_sensors: self.feedthrough_sensors.clone(),
-            known_inputs: self.known_inputs.clone(),
             hold: self.hold,
-            largest_steps: self.largest_steps,
+            search: self.search.clone(),
             threads: self.threads,
-            ..LikelihoodOptions::default()
         })
     }
 }

@@ -4,12 +4,10 @@
 //! more likely, so a higher order is used only if it leaves nothing of the fit to doubt.
 
 use super::starts::{self, FirstStage};
-use super::{Options, doubt};
-use crate::subspace::WEAK_GAP;
-use crate::{
-    LikelihoodFit, LikelihoodOptions, OrderChoice, OrderEvidence, ReconstructError,
-    ReconstructionDoubt, Record, SubspaceDoubt, maximise,
-};
+use super::{Doubt, Options, doubt};
+use crate::likelihood::{Fit, SearchOptions};
+use crate::subspace::{OrderChoice, OrderEvidence, WEAK_GAP};
+use crate::{ReconstructError, Record, likelihood, subspace};
 
 /// A criterion that is lower by so much decides: a likelihood ratio of e^5.
 const DECISIVE: f64 = 10.0;
@@ -27,16 +25,16 @@ const UPDATES: usize = 10;
 pub struct ComparedOrder {
     /// The number of states.
     pub order: usize,
-    /// What its criterion lies above that of the order used ([`LikelihoodFit::criterion`]).
+    /// What its criterion lies above that of the order used ([`Fit::criterion`]).
     pub above: f64,
 }
 
 /// Both stages at one order.
 pub(super) struct Fitted {
     pub(super) stage: FirstStage,
-    pub(super) fit: LikelihoodFit,
+    pub(super) fit: Fit,
     /// Those of both stages.
-    pub(super) doubts: Vec<ReconstructionDoubt>,
+    pub(super) doubts: Vec<Doubt>,
     pub(super) compared: Vec<ComparedOrder>,
 }
 
@@ -44,16 +42,19 @@ pub(super) struct Fitted {
 pub(super) fn fitted(
     records: &[Record],
     options: &Options,
-) -> Result<(Fitted, LikelihoodOptions), ReconstructError> {
+) -> Result<(Fitted, likelihood::Options), ReconstructError> {
     let stage = starts::first_stage(records, options)?;
     let second = options.likelihood(records, &stage.intersection)?;
     let mut found = fit(records, options, &second, stage)?;
     if found.stage.order.asked {
         return Ok((found, second));
     }
-    let short = LikelihoodOptions {
-        largest_steps: second.largest_steps.min(STEPS),
-        largest_updates: second.largest_updates.min(UPDATES),
+    let short = likelihood::Options {
+        search: SearchOptions {
+            max_steps: second.search.max_steps.min(STEPS),
+            max_noise_updates: second.search.max_noise_updates.min(UPDATES),
+            ..second.search.clone()
+        },
         ..second.clone()
     };
     for order in open(&found) {
@@ -76,9 +77,7 @@ pub(super) fn fitted(
             found.compared.iter().any(|other| other.order == order && other.above > DECISIVE)
         };
         found.doubts.retain(|doubt| match doubt {
-            ReconstructionDoubt::Subspace(SubspaceDoubt::ContestedOrder { other, .. }) => {
-                !decided(*other)
-            }
+            Doubt::Subspace(subspace::Doubt::ContestedOrder { other, .. }) => !decided(*other),
             _ => true,
         });
     }
@@ -88,10 +87,10 @@ pub(super) fn fitted(
 fn fit(
     records: &[Record],
     options: &Options,
-    second: &LikelihoodOptions,
+    second: &likelihood::Options,
     stage: FirstStage,
 ) -> Result<Fitted, ReconstructError> {
-    let fit = maximise(records, &stage.starts, second)?;
+    let fit = likelihood::identify(records, &stage.starts, second)?;
     let of_first = stage.doubts.clone();
     let doubts = doubt::doubts(records, &stage.intersection, of_first, &fit, &options.noise);
     Ok(Fitted { stage, fit, doubts, compared: Vec::new() })
@@ -101,7 +100,7 @@ fn fit(
 fn at_order(
     records: &[Record],
     options: &Options,
-    second: &LikelihoodOptions,
+    second: &likelihood::Options,
     evidence: &OrderEvidence,
     order: usize,
 ) -> Result<Fitted, ReconstructError> {
@@ -132,15 +131,18 @@ fn open(found: &Fitted) -> Vec<usize> {
 }
 
 /// Whether the fit itself leaves nothing to doubt.
-fn fits(doubts: &[ReconstructionDoubt]) -> bool {
+fn fits(doubts: &[Doubt]) -> bool {
+    use likelihood::Doubt as OfFit;
     !doubts.iter().any(|doubt| {
         matches!(
             doubt,
-            ReconstructionDoubt::OptimumNotReached { .. }
-                | ReconstructionDoubt::LevelsNotSettled { .. }
-                | ReconstructionDoubt::PoorFit { .. }
-                | ReconstructionDoubt::UnequalFit { .. }
-                | ReconstructionDoubt::ResidualsNotWhite { .. }
+            Doubt::Likelihood(
+                OfFit::OptimumNotReached { .. }
+                    | OfFit::LevelsNotSettled { .. }
+                    | OfFit::PoorFit { .. }
+                    | OfFit::UnequalFit { .. }
+                    | OfFit::ResidualsNotWhite { .. }
+            )
         )
     })
 }

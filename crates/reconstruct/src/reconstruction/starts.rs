@@ -1,11 +1,8 @@
 //! The first stage with several numbers of block rows: the order that they agree on, and where the likelihood starts.
 
-use super::Options;
-use crate::subspace::{WEAK_GAP, best};
-use crate::{
-    Intersection, NoiseModel, NoiseOrigin, OrderChoice, OrderEvidence, ReconstructError,
-    ReconstructionDoubt, Record, SharedModel, SubspaceDoubt, intersect,
-};
+use super::{Doubt, Options};
+use crate::subspace::{Intersection, NoiseOrigin, OrderChoice, OrderEvidence, WEAK_GAP, best};
+use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
 
 /// What the first stage says.
 pub(super) struct FirstStage {
@@ -14,7 +11,7 @@ pub(super) struct FirstStage {
     /// The evidence for the order, over all numbers of block rows.
     pub(super) order: OrderEvidence,
     /// Its doubts, those about the order from that evidence.
-    pub(super) doubts: Vec<ReconstructionDoubt>,
+    pub(super) doubts: Vec<Doubt>,
     /// The models found, that of the rule first.
     pub(super) starts: Vec<SharedModel>,
 }
@@ -37,7 +34,7 @@ pub(super) fn first_stage(
     options: &Options,
 ) -> Result<FirstStage, ReconstructError> {
     let own = options.subspace();
-    let mut first = intersect(records, &own)?;
+    let mut first = subspace::identify(records, &own)?;
     let (mut order, mut starts) = (first.order.clone(), Vec::new());
     let quiet = matches!(options.noise, NoiseModel::Quiet(_));
     let clear = first.noise.origin == NoiseOrigin::Rounding || (order.gap >= CLEAR_GAP && !quiet);
@@ -46,10 +43,10 @@ pub(super) fn first_stage(
         if options.noise == NoiseModel::Estimated {
             other.noise = NoiseModel::Levels(first.noise.deviations.clone());
         }
-        let found = |other: &crate::SubspaceOptions, block_rows: usize| {
-            let other = crate::SubspaceOptions { block_rows: Some(block_rows), ..other.clone() };
+        let found = |other: &subspace::Options, block_rows: usize| {
+            let other = subspace::Options { block_rows: Some(block_rows), ..other.clone() };
             // An error says that the records are too short for so many, or that so few cannot tell the order.
-            intersect(records, &other).ok()
+            subspace::identify(records, &other).ok()
         };
         let numbers = [first.block_rows / 2, first.block_rows * 3 / 2];
         let mut others: Vec<_> = numbers.iter().filter_map(|&rows| found(&other, rows)).collect();
@@ -60,7 +57,7 @@ pub(super) fn first_stage(
         }
         let fixed = OrderChoice::Fixed(order.order);
         if first.order.order != order.order {
-            first = intersect(records, &crate::SubspaceOptions { order: fixed, ..own })?;
+            first = subspace::identify(records, &subspace::Options { order: fixed, ..own })?;
             order.eigenvalues.clone_from(&first.order.eigenvalues);
         }
         other.order = fixed;
@@ -90,7 +87,6 @@ fn means(first: &Intersection, others: &[Intersection]) -> Vec<(usize, f64)> {
     let all: Vec<_> = std::iter::once(first).chain(others).map(|found| &found.order.gaps).collect();
     let known = |order: &usize| all.iter().all(|gaps| gaps.iter().any(|(other, _)| other == order));
     let mean = |order: usize| {
-        #[expect(clippy::cast_precision_loss, reason = "three at most")]
         let number = all.len() as f64;
         let sum: f64 = all.iter().map(|gaps| gap_of(gaps, order).ln()).sum();
         (order, (sum / number).exp())
@@ -103,24 +99,29 @@ pub(super) fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
 }
 
 /// The intersection's own doubts, but for those about the order.
-pub(super) fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<ReconstructionDoubt> {
+pub(super) fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<Doubt> {
     let combined = !order.asked;
-    let about_order = |doubt: &SubspaceDoubt| {
-        matches!(doubt, SubspaceDoubt::WeakOrder { .. } | SubspaceDoubt::ContestedOrder { .. })
+    let about_order = |doubt: &subspace::Doubt| {
+        matches!(doubt, subspace::Doubt::WeakOrder { .. } | subspace::Doubt::ContestedOrder { .. })
     };
-    let mut doubts: Vec<SubspaceDoubt> = Vec::new();
+    let mut doubts: Vec<subspace::Doubt> = Vec::new();
     if combined {
         let (gap, order_used) = (order.gap, order.order);
         if gap < WEAK_GAP {
-            doubts.push(SubspaceDoubt::WeakOrder { order: order_used, gap });
+            doubts.push(subspace::Doubt::WeakOrder { order: order_used, gap });
         }
         let largest = order.gaps.iter().max_by(|x, y| x.1.total_cmp(&y.1));
         if let Some(&(other, other_gap)) = largest
             && other != order_used
         {
-            doubts.push(SubspaceDoubt::ContestedOrder { order: order_used, gap, other, other_gap });
+            doubts.push(subspace::Doubt::ContestedOrder {
+                order: order_used,
+                gap,
+                other,
+                other_gap,
+            });
         }
     }
     doubts.extend(first.doubts.iter().filter(|doubt| !combined || !about_order(doubt)).cloned());
-    doubts.into_iter().map(ReconstructionDoubt::Subspace).collect()
+    doubts.into_iter().map(Doubt::Subspace).collect()
 }

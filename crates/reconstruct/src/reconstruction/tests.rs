@@ -4,7 +4,7 @@ mod options;
 mod planted;
 
 use super::*;
-use crate::{Channel, Method, NoiseModel, Options, OrderChoice};
+use crate::{Channel, Method, NoiseModel, Options, subspace::OrderChoice};
 use flights::{TRUTH, pair};
 use num_complex::Complex;
 
@@ -32,22 +32,22 @@ fn noisy_records_give_modes_levels_and_no_doubt() {
         [("white_snr100", 0.05), ("white_snr10", 0.05), ("multistep_snr100", 0.15)]
     {
         let found = reconstruct(&pair(name), &Options::default()).unwrap();
-        assert_eq!(found.order.as_ref().unwrap().order, 4, "{name}");
+        assert_eq!(found.order().unwrap().order, 4, "{name}");
         assert_eq!(found.modes.len(), 3, "{name}");
         assert!(found.doubts.is_empty(), "{name}: {:?}", found.doubts);
         for (distance, deviations) in misses(&found) {
             assert!(deviations < 4.0, "{name}: {distance} {deviations}");
         }
         let expected = levels[name].as_array().unwrap();
-        for (level, expected) in found.noise_levels.as_ref().unwrap().iter().zip(expected) {
+        for (level, expected) in found.noise_levels().unwrap().iter().zip(expected) {
             let ratio = level.value / expected.as_f64().unwrap();
             assert!((ratio - 1.0).abs() < tolerance, "{name}: {ratio}");
         }
-        assert!(found.excitations.iter().all(|excitation| excitation.rank == 1));
-        assert!(found.goodness.unwrap().p_value.is_none());
-        let starts = &found.likelihood.as_ref().unwrap().starts;
+        assert!(found.excitations().iter().all(|excitation| excitation.rank == 1));
+        assert!(found.fit().unwrap().chi_squared.p_value.is_none());
+        let starts = &found.fit().unwrap().starts;
         // A clear gap needs no other number of block rows.
-        let clear = found.order.as_ref().unwrap().gap > 1000.0;
+        let clear = found.order().unwrap().gap > 1000.0;
         assert_eq!(starts.len(), if clear { 1 } else { 3 }, "{name}");
     }
 }
@@ -64,22 +64,24 @@ fn records_without_noise_give_eigenvalues_to_seven_digits() {
 
 #[test]
 fn each_method_can_be_chosen() {
-    let mut options = Options { method: Method::AsPrinted, ..Options::default() };
+    let mut options = Options { method: Method::Paper, ..Options::default() };
     let printed = reconstruct(&pair("noise_free"), &options).unwrap();
     assert_eq!(printed.modes.len(), 3);
-    assert!(printed.printed.is_some() && printed.model.is_none());
+    assert!(printed.paper().is_some() && printed.model().is_none());
     assert!(misses(&printed).iter().all(|(distance, _)| *distance < 1e-7));
     let noisy = pair("white_snr100");
     assert!(!reconstruct(&noisy, &options).unwrap().doubts.is_empty());
 
     options.method = Method::Subspace;
     let subspace = reconstruct(&noisy, &options).unwrap();
-    assert!(subspace.likelihood.is_none() && subspace.goodness.is_none());
+    assert!(subspace.fit().is_none() && subspace.paper().is_none());
     assert_eq!(subspace.modes.len(), 3);
     assert!(misses(&subspace).iter().all(|(distance, _)| *distance < 0.02));
     options.method = Method::MaximumLikelihood;
     let best = reconstruct(&noisy, &options).unwrap();
     // The first stage is the same, whatever follows.
-    assert_eq!(best.intersection, subspace.intersection);
-    assert!(best.modes.iter().all(|mode| mode.estimate.is_some() && mode.strength.len() == 2));
+    assert_eq!(best.intersection(), subspace.intersection());
+    assert!(
+        best.modes.iter().all(|mode| mode.estimate.is_some() && mode.excitation_snr.len() == 2)
+    );
 }

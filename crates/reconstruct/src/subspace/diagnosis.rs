@@ -6,13 +6,13 @@ use num_complex::Complex;
 use super::dense::{Eigen, eigenvalues};
 use super::limits::Setting;
 use super::order::{OrderEvidence, WEAK_GAP};
-use super::{NoiseEvidence, NoiseOrigin, RecordEvidence, SubspaceMode};
+use super::{Mode, NoiseEvidence, NoiseOrigin, RecordEvidence};
 use crate::ReconstructError;
 
-/// A reason to doubt an [`Intersection`](crate::Intersection). Each can be printed.
+/// A reason to doubt an [`Intersection`](super::Intersection). Each can be printed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum SubspaceDoubt {
+pub enum Doubt {
     /// The eigenvalues show no gap behind the order.
     WeakOrder {
         /// The order used.
@@ -102,7 +102,26 @@ const HARDLY: f64 = 6.0;
 /// Above this, half of the digits of A are lost.
 const LARGEST_CONDITION: f64 = 1e8;
 
-impl std::fmt::Display for SubspaceDoubt {
+impl Doubt {
+    /// A short name for programs, which stays what it is; the program's documentation lists all of them.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::WeakOrder { .. } => "weak-order",
+            Self::ContestedOrder { .. } => "contested-order",
+            Self::SeveralExcitations { .. } => "several-excitations",
+            Self::NoExcitation { .. } => "no-excitation",
+            Self::NoiseNotWhite { .. } => "noise-not-white",
+            Self::SameExcitation { .. } => "same-excitation",
+            Self::HardlyExcited { .. } => "hardly-excited",
+            Self::UncertainDirection { .. } => "uncertain-direction",
+            Self::NoiseNotConverged { .. } => "noise-not-converged",
+            Self::IllConditioned { .. } => "observability-ill-conditioned",
+        }
+    }
+}
+
+impl std::fmt::Display for Doubt {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::WeakOrder { order, gap } => write!(
@@ -160,58 +179,54 @@ pub(super) struct Findings<'a> {
     pub(super) order: &'a OrderEvidence,
     pub(super) noise: &'a NoiseEvidence,
     pub(super) records: &'a [RecordEvidence],
-    pub(super) modes: &'a [SubspaceMode],
+    pub(super) modes: &'a [Mode],
     pub(super) condition: f64,
 }
 
 /// All doubts but that of equal excitations.
-pub(super) fn doubts(findings: &Findings<'_>) -> Vec<SubspaceDoubt> {
+pub(super) fn doubts(findings: &Findings<'_>) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     let OrderEvidence { order, gap, gaps, .. } = findings.order;
     if *gap < WEAK_GAP {
-        doubts.push(SubspaceDoubt::WeakOrder { order: *order, gap: *gap });
+        doubts.push(Doubt::WeakOrder { order: *order, gap: *gap });
     }
     let largest = gaps.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some(&(other, other_gap)) = largest
         && other != *order
         && other_gap > *gap
     {
-        doubts.push(SubspaceDoubt::ContestedOrder { order: *order, gap: *gap, other, other_gap });
+        doubts.push(Doubt::ContestedOrder { order: *order, gap: *gap, other, other_gap });
     }
     if let NoiseOrigin::Estimated { rounds, converged: false } = findings.noise.origin {
-        doubts.push(SubspaceDoubt::NoiseNotConverged { rounds });
+        doubts.push(Doubt::NoiseNotConverged { rounds });
     }
     for found in findings.records {
         let (record, excitation) = (&found.record, &found.excitation);
         let (rank, growth) = (excitation.rank, excitation.growth);
         match rank {
-            0 => doubts.push(SubspaceDoubt::NoExcitation { record: record.clone() }),
+            0 => doubts.push(Doubt::NoExcitation { record: record.clone() }),
             1 => {}
-            _ => doubts.push(SubspaceDoubt::SeveralExcitations {
-                record: record.clone(),
-                rank,
-                growth,
-            }),
+            _ => doubts.push(Doubt::SeveralExcitations { record: record.clone(), rank, growth }),
         }
         if excitation.largest_noise > excitation.noise_edge {
             let (largest, edge) = (excitation.largest_noise, excitation.noise_edge);
-            doubts.push(SubspaceDoubt::NoiseNotWhite { record: record.clone(), largest, edge });
+            doubts.push(Doubt::NoiseNotWhite { record: record.clone(), largest, edge });
         }
         if found.ambiguity > AMBIGUOUS {
             let ambiguity = found.ambiguity;
-            doubts.push(SubspaceDoubt::UncertainDirection { record: record.clone(), ambiguity });
+            doubts.push(Doubt::UncertainDirection { record: record.clone(), ambiguity });
         }
     }
     for mode in findings.modes.iter().filter(|mode| mode.pole.im >= 0.0) {
-        for (found, &strength) in findings.records.iter().zip(&mode.strength) {
+        for (found, &strength) in findings.records.iter().zip(&mode.excitation_snr) {
             if strength < HARDLY {
                 let record = found.record.clone();
-                doubts.push(SubspaceDoubt::HardlyExcited { pole: mode.pole, record, strength });
+                doubts.push(Doubt::HardlyExcited { pole: mode.pole, record, strength });
             }
         }
     }
     if findings.condition > LARGEST_CONDITION {
-        doubts.push(SubspaceDoubt::IllConditioned { condition: findings.condition });
+        doubts.push(Doubt::IllConditioned { condition: findings.condition });
     }
     doubts
 }
@@ -225,7 +240,7 @@ pub(super) fn same_excitation(
     spectra: &[Eigen],
     evidence: &OrderEvidence,
     block_rows: usize,
-) -> Result<Vec<SubspaceDoubt>, ReconstructError> {
+) -> Result<Vec<Doubt>, ReconstructError> {
     /// An eigenvalue of the sum of two projectors is 1 - cos of the angle between the spaces: this is 8 degrees.
     const COMMON: f64 = 0.01;
     /// So many further directions can be common by chance, where excitations have little power beyond low frequencies.
@@ -253,7 +268,7 @@ pub(super) fn same_excitation(
         if common >= enough && gap < TOLD_APART {
             let name = |record: usize| setting.records[record].name().to_owned();
             let (first, second) = (name(first), name(second));
-            doubts.push(SubspaceDoubt::SameExcitation { first, second, common, expected });
+            doubts.push(Doubt::SameExcitation { first, second, common, expected });
         }
     }
     Ok(doubts)

@@ -6,17 +6,17 @@ use super::dense::Eigen;
 use super::excitation::ExcitationRank;
 use super::order::OrderEvidence;
 use super::realisation::eigenvector;
-use super::{Directions, SubspaceDoubt};
+use super::{Directions, Doubt};
 use crate::{ReconstructError, SharedModel};
 
-/// What [`intersect`](crate::intersect) makes of several records.
+/// What [`identify`](super::identify) makes of several records.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Intersection {
     /// A, C, and the direction of excitation of each record.
     pub model: SharedModel,
     /// The modes, in the order of [`SharedModel::poles`].
-    pub modes: Vec<SubspaceMode>,
+    pub modes: Vec<Mode>,
     /// Why the order is what it is.
     pub order: OrderEvidence,
     /// The noise levels used.
@@ -30,18 +30,18 @@ pub struct Intersection {
     /// What A leaves unexplained of the shifted observability matrix, relative to it. Noise, mostly.
     pub residual: f64,
     /// Why the result should not be trusted; empty if there is no such reason.
-    pub doubts: Vec<SubspaceDoubt>,
+    pub doubts: Vec<Doubt>,
 }
 
 /// A mode, and how strongly each record shows it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct SubspaceMode {
+pub struct Mode {
     /// The eigenvalue of A in the z plane.
     pub pole: Complex<f64>,
     /// For each record the variance along the mode's direction o in the stacked sensors that no other direction explains, in units of the
     /// noise's variance: `1 / (o' G^-1 o)` of the whitened covariance G (Capon 1969). 1 is noise.
-    pub strength: Vec<f64>,
+    pub excitation_snr: Vec<f64>,
 }
 
 /// Noise levels and where they come from.
@@ -98,13 +98,13 @@ pub(super) fn modes(
     model: &SharedModel,
     common: &Directions,
     spectra: &[Eigen],
-) -> Result<Vec<SubspaceMode>, ReconstructError> {
+) -> Result<Vec<Mode>, ReconstructError> {
     let poles = model.poles().map_err(|error| ReconstructError::Step {
         step: "eigenvalues of A",
         message: error.to_string(),
     })?;
     let mode = |pole: Complex<f64>| {
-        let strength = match eigenvector(&model.a, pole) {
+        let excitation_snr = match eigenvector(&model.a, pole) {
             Some(vector) => {
                 let (re, im) = (common * vector.map(|z| z.re), common * vector.map(|z| z.im));
                 let square = re.norm_squared() + im.norm_squared();
@@ -112,7 +112,7 @@ pub(super) fn modes(
             }
             None => vec![0.0; spectra.len()],
         };
-        SubspaceMode { pole, strength }
+        Mode { pole, excitation_snr }
     };
     Ok(poles.into_iter().map(mode).collect())
 }

@@ -39,7 +39,6 @@ const NO_GROWTH: usize = 1;
 /// That is the edge of Marchenko & Pastur 1967 with 2 for 1, since the columns of a block-Hankel matrix are not independent. In 360 simulated
 /// records of 300 to 2000 samples, 2 to 6 sensors and 16 to 48 block rows the largest one had 0.9 in the median, and in one record more than 2.
 pub(super) fn noise_edge(setting: Setting<'_>, block_rows: usize, columns: usize) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
     let ratio = ((setting.sensors - 1) * block_rows) as f64 / columns as f64;
     (1.0 + 2.0 * ratio.sqrt()).powi(2)
 }
@@ -62,7 +61,6 @@ pub(super) fn excitation_rank(
     let ranks = vec![(half, count(&halved, half)), (block_rows, count(values, block_rows))];
     let noise = values.len() - setting.signal_dimension(block_rows, order, 1);
     let largest_noise = values[noise - 1];
-    #[expect(clippy::cast_precision_loss, reason = "ranks are small numbers")]
     let growth = (ranks[1].1 as f64 - ranks[0].1 as f64) / (block_rows - half) as f64;
     let still = ranks[1].1 <= ranks[0].1 + NO_GROWTH && ranks[1].1 <= order + NO_GROWTH;
     let rank = if still {
@@ -70,7 +68,6 @@ pub(super) fn excitation_rank(
     } else {
         // The fewest excitations that neither the growth nor the rank itself exceeds.
         let most = |rank| setting.signal_dimension(block_rows, order, rank) + RANK_TOLERANCE;
-        #[expect(clippy::cast_precision_loss, reason = "ranks are small numbers")]
         let enough =
             |rank: &usize| growth <= *rank as f64 + GROWTH_TOLERANCE && ranks[1].1 <= most(*rank);
         (1..setting.sensors).find(enough).unwrap_or(setting.sensors)

@@ -20,7 +20,6 @@ pub(super) fn triangle(gram: &Gram) -> DMatrix<f64> {
     let p = gram.shape().0;
     let floor = PIVOT_FLOOR * gram.rounding().max(LEAST_ROUNDING);
     let entry = |i, k| gram.entry(i, k).unwrap_or(DoubleDouble::ZERO);
-    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
     let root = (gram.rows() as f64).sqrt();
     let diagonal: Vec<f64> = (0..p).map(|i| entry(i, i).value()).collect();
     let mut rest: Vec<DoubleDouble> =

@@ -1,8 +1,8 @@
 //! What records and options must satisfy, and how many block rows they allow.
 
-use super::options::{Centring, DirectPath, OrderChoice, SubspaceOptions};
-use crate::likelihood::check_known_inputs;
-use crate::record::check_compatible;
+use super::options::{Centring, DirectPath, Options, OrderChoice};
+use crate::model::known_inputs::check_known_inputs;
+use crate::model::record::check_compatible;
 use crate::{NoiseModel, ReconstructError, Record};
 
 /// Rows of the block-Hankel matrix beyond which accuracy no longer grows at 2000 samples.
@@ -34,7 +34,7 @@ impl<'a> Setting<'a> {
     /// Checks records and noise model.
     pub(super) fn new(
         records: &'a [Record],
-        options: &'a SubspaceOptions,
+        options: &'a Options,
     ) -> Result<Self, ReconstructError> {
         let sensors = records.first().map_or(0, |first| first.channels().len());
         if records.len() * sensors.saturating_sub(1) <= sensors {
@@ -228,7 +228,6 @@ const SAME: f64 = 1e-9;
 fn proportion(x: &[f64], y: &[f64]) -> Option<f64> {
     let deviations = |signal: &[f64]| {
         let largest = signal.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
         let mean = signal.iter().map(|value| value / largest).sum::<f64>() / signal.len() as f64;
         (largest, signal.iter().map(|value| value / largest - mean).collect::<Vec<_>>())
     };

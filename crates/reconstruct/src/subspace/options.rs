@@ -38,21 +38,21 @@ pub enum DirectPath {
     Present,
 }
 
-/// What [`intersect`](crate::intersect) may be told.
+/// What [`identify`](super::identify) may be told.
 ///
 /// # Example
 ///
 /// ```
-/// use reconstruct::{Centring, OrderChoice, SubspaceOptions};
+/// use reconstruct::subspace::{Centring, Options, OrderChoice};
 ///
-/// let mut options = SubspaceOptions::default();
+/// let mut options = Options::default();
 /// options.order = OrderChoice::Fixed(4);
 /// options.centring = Centring::None;
 /// assert_eq!(options.block_rows, None);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct SubspaceOptions {
+pub struct Options {
     /// The number of states. By default found from the gap among orders up to 10: the aircraft of the paper has 4, and with three sensors
     /// of two records each further order wants another block row.
     pub order: OrderChoice,
@@ -72,7 +72,7 @@ pub struct SubspaceOptions {
     pub known_inputs: Vec<Vec<Vec<f64>>>,
 }
 
-impl Default for SubspaceOptions {
+impl Default for Options {
     fn default() -> Self {
         Self {
             order: OrderChoice::Gap { largest: 10 },

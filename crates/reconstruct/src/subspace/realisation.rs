@@ -46,7 +46,7 @@ pub(super) fn eigenvector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DMatr
     });
     let decomposed = shifted.lu();
     // Unequal entries, so that no eigenvector is likely to be missed.
-    let mut vector = DMatrix::from_fn(n, 1, |i, _| Complex::new(1.0, 1.0 / (2.0 + count(i))));
+    let mut vector = DMatrix::from_fn(n, 1, |i, _| Complex::new(1.0, 1.0 / (2.0 + i as f64)));
     for _ in 0..2 {
         vector = decomposed.solve(&vector)?;
         let norm = vector.norm();
@@ -56,11 +56,6 @@ pub(super) fn eigenvector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DMatr
         vector /= Complex::from(norm);
     }
     Some(vector)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
-fn count(i: usize) -> f64 {
-    i as f64
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::factor::triangle;
 use super::limits::Setting;
 use super::options::Centring;
 use super::whitening::{Source, Whitening};
-use crate::likelihood::rms;
+use crate::model::record::rms;
 use crate::{Channel, ReconstructError, Record};
 
 /// Below this ratio of the smallest to the largest eigenvalue a covariance in double precision no longer shows noise, but its own rounding errors.
@@ -62,7 +62,6 @@ impl Sources {
         } else {
             grams.iter().map(triangle).map(Source::Triangle).collect()
         };
-        #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
         let weights = columns.iter().map(|columns| *columns as f64);
         let records = sources.into_iter().zip(weights).collect();
         Ok(Self { records, columns, deviations, units })
@@ -103,7 +102,6 @@ fn without_inputs(
             explained += 1;
         }
     }
-    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
     let free = gram.rows().saturating_sub(explained).max(1) as f64;
     Ok(left / free)
 }
@@ -186,7 +184,6 @@ fn gram(
 
 /// `H H' / M` in double.
 fn covariance(gram: &Gram) -> Result<DMatrix<f64>, ReconstructError> {
-    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
     let columns = gram.rows() as f64;
     Ok(gram.matrix().map_err(failed)? / columns)
 }
@@ -197,7 +194,6 @@ fn failed(error: hankel::HankelError) -> ReconstructError {
 
 /// Subtracts the mean where it is so much larger than the deviations that the subtraction is exact; elsewhere it would round.
 fn remove_large_offset(values: &mut [f64]) {
-    #[expect(clippy::cast_precision_loss, reason = "a record has fewer than 2^53 samples")]
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let exact = |value: &f64| (value - mean).abs() <= 0.5 * mean.abs();
     if values.iter().all(exact) {
@@ -213,7 +209,6 @@ fn deviations(covariances: &[DMatrix<f64>], sensors: usize) -> Vec<f64> {
             variances[i % sensors] += variance;
         }
     }
-    #[expect(clippy::cast_precision_loss, reason = "a handful of records and block rows")]
     let count =
         covariances.iter().map(|covariance| covariance.nrows() / sensors).sum::<usize>() as f64;
     variances.into_iter().map(|variance| (variance / count).max(f64::MIN_POSITIVE).sqrt()).collect()

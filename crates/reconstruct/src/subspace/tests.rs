@@ -43,6 +43,6 @@ pub(super) fn generator(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)
 }
 
-fn fixed(order: usize) -> SubspaceOptions {
-    SubspaceOptions { order: OrderChoice::Fixed(order), ..SubspaceOptions::default() }
+fn fixed(order: usize) -> Options {
+    Options { order: OrderChoice::Fixed(order), ..Options::default() }
 }

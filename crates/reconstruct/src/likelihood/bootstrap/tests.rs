@@ -1,6 +1,8 @@
 use super::*;
+use crate::SharedModel;
 use crate::likelihood::fixtures::{Disturbance, Normal, QUIET, fly, given, system};
-use crate::{AutoregressionOrder, SharedModel, VectorAutoregression};
+use crate::likelihood::identify;
+use crate::model::{AutoregressionOrder, VectorAutoregression};
 
 const EIGENVALUES: [Complex<f64>; 2] = [Complex::new(0.9, 0.0), Complex::new(0.7, 0.4)];
 
@@ -12,7 +14,7 @@ fn planted(seed: u64) -> (SharedModel, Vec<Record>, Vec<f64>) {
 }
 
 /// The ratio of deviations, bootstrap over first order, of real and imaginary parts.
-fn ratios(fit: &LikelihoodFit, found: &Bootstrap) -> Vec<f64> {
+fn ratios(fit: &Fit, found: &Bootstrap) -> Vec<f64> {
     let pairs = fit.modes.iter().zip(&found.modes);
     let each = pairs.flat_map(|(mode, repeated)| {
         let (first, again) = (&mode.continuous, &repeated.continuous);
@@ -30,8 +32,8 @@ fn scatter_is_what_the_covariance_says() {
     let tolerance = 3.0 / (2.0 * REPETITIONS as f64).sqrt() + 0.05;
     for estimated in [false, true] {
         let (model, records, levels) = planted(1);
-        let options = if estimated { LikelihoodOptions::default() } else { given(&levels) };
-        let fit = maximise(&records, &[model], &options).unwrap();
+        let options = if estimated { Options::default() } else { given(&levels) };
+        let fit = identify(&records, &[model], &options).unwrap();
         let mut normal = Normal::new(5);
         let found =
             bootstrap(&records, &fit, &options, REPETITIONS, &mut || normal.next()).unwrap();
@@ -59,10 +61,10 @@ fn coloured_noise_is_repeated_in_its_colour() {
     let quiet = Record::new("quiet", records[0].period(), channels.collect()).unwrap();
     let fitted = VectorAutoregression::fit(&quiet, AutoregressionOrder::Fixed(0)).unwrap();
     let spectra = records.iter().map(|record| fitted.spectrum(record.samples()).unwrap());
-    let noise = LikelihoodNoise::Spectra(spectra.collect());
-    let coloured = LikelihoodOptions { noise, ..LikelihoodOptions::default() };
-    let spread = |options: &LikelihoodOptions| {
-        let fit = maximise(&records, std::slice::from_ref(&model), options).unwrap();
+    let noise = Noise::Spectra(spectra.collect());
+    let coloured = Options { noise, ..Options::default() };
+    let spread = |options: &Options| {
+        let fit = identify(&records, std::slice::from_ref(&model), options).unwrap();
         let mut normal = Normal::new(6);
         let found = bootstrap(&records, &fit, options, 20, &mut || normal.next()).unwrap();
         found.modes.iter().map(|mode| mode.continuous.real_deviation()).collect::<Vec<_>>()
@@ -76,7 +78,7 @@ fn coloured_noise_is_repeated_in_its_colour() {
 fn the_same_numbers_give_the_same_result_and_one_repetition_is_refused() {
     let (model, records, levels) = planted(3);
     let options = given(&levels);
-    let fit = maximise(&records, &[model], &options).unwrap();
+    let fit = identify(&records, &[model], &options).unwrap();
     let run = |repetitions| {
         let mut normal = Normal::new(7);
         bootstrap(&records, &fit, &options, repetitions, &mut || normal.next())

@@ -12,32 +12,54 @@ fn offsets_trends_known_inputs_and_feedthrough() {
     let disturbance = Disturbance { noise: 0.01, offset: 0.2, trend: 0.5, known: 1.0 };
     let flights = fly(&truth, &[600, 500], &disturbance, &mut normal);
     let start = perturbed(&truth, 1e-3, &mut normal);
-    let full = LikelihoodOptions {
-        offsets: Offsets::Free,
-        trend: Trend::Linear,
-        feedthrough_sensors: vec![3],
-        known_inputs: flights.known.clone(),
+    let full = Options {
+        measurement: Measurement {
+            offsets: Offsets::Free,
+            trend: Trend::Linear,
+            feedthrough_sensors: vec![3],
+            known_inputs: flights.known.clone(),
+        },
         ..given(&flights.levels)
     };
-    let fit = maximise(&flights.records, from_ref(&start), &full).unwrap();
+    let fit = identify(&flights.records, from_ref(&start), &full).unwrap();
     assert_eq!(fit.search.status, SearchStatus::Converged);
     assert!((fit.chi_squared.per_degree_of_freedom() - 1.0).abs() < 0.1);
     assert!(fit.chi_squared.p_value.unwrap() > 0.01);
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
     // A prior about as wide as the offsets are does as well.
-    let prior =
-        LikelihoodOptions { offsets: Offsets::PriorDeviation(vec![0.2; 4]), ..full.clone() };
-    let with_prior = maximise(&flights.records, from_ref(&start), &prior).unwrap();
+    let prior = Options {
+        measurement: Measurement {
+            offsets: Offsets::PriorDeviation(vec![0.2; 4]),
+            ..full.measurement.clone()
+        },
+        ..full.clone()
+    };
+    let with_prior = identify(&flights.records, from_ref(&start), &prior).unwrap();
     assert!(with_prior.chi_squared.p_value.unwrap() > 0.01);
     // Each of them is needed: without it the residuals are larger than the noise.
     let without = [
-        LikelihoodOptions { offsets: Offsets::Zero, ..full.clone() },
-        LikelihoodOptions { trend: Trend::Absent, ..full.clone() },
-        LikelihoodOptions { feedthrough_sensors: Vec::new(), ..full.clone() },
-        LikelihoodOptions { known_inputs: Vec::new(), ..full.clone() },
+        Options {
+            measurement: Measurement { offsets: Offsets::Zero, ..full.measurement.clone() },
+            ..full.clone()
+        },
+        Options {
+            measurement: Measurement { trend: Trend::Absent, ..full.measurement.clone() },
+            ..full.clone()
+        },
+        Options {
+            measurement: Measurement {
+                feedthrough_sensors: Vec::new(),
+                ..full.measurement.clone()
+            },
+            ..full.clone()
+        },
+        Options {
+            measurement: Measurement { known_inputs: Vec::new(), ..full.measurement.clone() },
+            ..full.clone()
+        },
     ];
     for options in without {
-        let fit = maximise(&flights.records, from_ref(&start), &options).unwrap();
+        let fit = identify(&flights.records, from_ref(&start), &options).unwrap();
         assert!(fit.chi_squared.p_value.unwrap() < 1e-6, "{:?}", fit.chi_squared);
     }
 }
@@ -63,9 +85,9 @@ fn a_band_leaves_the_rest_out() {
     let all = given(&flights.levels);
     let band = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: 15.0 };
     // The hum leaks into the band, but less than the noise.
-    let low = LikelihoodOptions { band: Some(band), ..all.clone() };
-    let whole = maximise(&flights.records, from_ref(&truth), &all).unwrap();
-    let part = maximise(&flights.records, &[truth], &low).unwrap();
+    let low = Options { band: Some(band), ..all.clone() };
+    let whole = identify(&flights.records, from_ref(&truth), &all).unwrap();
+    let part = identify(&flights.records, &[truth], &low).unwrap();
     assert!(whole.chi_squared.per_degree_of_freedom() > 2.0);
     assert!(part.chi_squared.per_degree_of_freedom() < 1.5);
     // 15 rad/s of 10 pi rad/s.
@@ -104,18 +126,16 @@ fn a_quiet_record_whitens_coloured_noise() {
     let quiet = noisy(&Record::new("quiet", truth.period, still).unwrap(), &noises[2]);
     let order = AutoregressionOrder::Akaike { largest: 6 };
     let spectrum = VectorAutoregression::fit(&quiet, order).unwrap().spectrum(1500).unwrap();
-    let options = LikelihoodOptions {
-        noise: LikelihoodNoise::Spectra(vec![spectrum.clone(), spectrum]),
-        ..LikelihoodOptions::default()
-    };
+    let options =
+        Options { noise: Noise::Spectra(vec![spectrum.clone(), spectrum]), ..Options::default() };
     let start = perturbed(&truth, 1e-3, &mut normal);
-    let fit = maximise(&records, from_ref(&start), &options).unwrap();
+    let fit = identify(&records, from_ref(&start), &options).unwrap();
     assert_eq!(fit.search.status, SearchStatus::Converged);
     assert!((fit.chi_squared.per_degree_of_freedom() - 1.0).abs() < 0.1, "{:?}", fit.chi_squared);
     assert!(misses(&fit, &eigenvalues).iter().all(|(_, deviations)| *deviations < 4.0));
     assert!(fit.whiteness.iter().all(|test| test.p_value > 1e-3));
     assert_eq!(fit.noise_levels, None);
     // Taken for white, the residuals show that they are not.
-    let white = maximise(&records, &[start], &LikelihoodOptions::default()).unwrap();
+    let white = identify(&records, &[start], &Options::default()).unwrap();
     assert!(white.whiteness.iter().all(|test| test.p_value < 1e-6));
 }

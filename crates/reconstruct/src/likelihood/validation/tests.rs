@@ -2,8 +2,8 @@ use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use super::super::fixtures::{Normal, QUIET, fly, given, system};
-use super::super::maximise;
 use super::*;
+use crate::likelihood::identify;
 
 #[test]
 fn bad_input_is_named() {
@@ -11,8 +11,8 @@ fn bad_input_is_named() {
     let mut normal = Normal::new(61);
     let truth = system(&eigenvalues, 3, 2, &mut normal);
     let flights = fly(&truth, &[100, 100], &QUIET, &mut normal);
-    let refuse = |records: &[Record], starts: &[SharedModel], options: &LikelihoodOptions| {
-        maximise(records, starts, options).map(|fit| fit.chi_squared).unwrap_err()
+    let refuse = |records: &[Record], starts: &[SharedModel], options: &Options| {
+        identify(records, starts, options).map(|fit| fit.chi_squared).unwrap_err()
     };
     let (records, good) = (&flights.records, given(&flights.levels));
     let starts = [truth.clone()];
@@ -21,29 +21,29 @@ fn bad_input_is_named() {
         ReconstructError::TooFewRecords { found: 1, needed: 2 }
     ));
     assert!(matches!(refuse(records, &[], &good), ReconstructError::Option { .. }));
-    let option = |change: &dyn Fn(&mut LikelihoodOptions)| {
+    let option = |change: &dyn Fn(&mut Options)| {
         let mut options = good.clone();
         change(&mut options);
         refuse(records, &starts, &options)
     };
     assert!(matches!(
-        option(&|o| o.noise = LikelihoodNoise::Given(vec![1.0; 2])),
+        option(&|o| o.noise = Noise::Given(vec![1.0; 2])),
         ReconstructError::Option { name: "noise levels", .. }
     ));
     assert!(matches!(
-        option(&|o| o.noise = LikelihoodNoise::Given(vec![1.0, 0.0, 1.0])),
+        option(&|o| o.noise = Noise::Given(vec![1.0, 0.0, 1.0])),
         ReconstructError::InvalidTolerance { .. }
     ));
     assert!(matches!(
-        option(&|o| o.noise = LikelihoodNoise::Spectra(Vec::new())),
+        option(&|o| o.noise = Noise::Spectra(Vec::new())),
         ReconstructError::Noise { .. }
     ));
     assert!(matches!(
-        option(&|o| o.known_inputs = vec![vec![vec![1.0; 99]], vec![]]),
+        option(&|o| o.measurement.known_inputs = vec![vec![vec![1.0; 99]], vec![]]),
         ReconstructError::Option { name: "known inputs", .. }
     ));
     assert!(matches!(
-        option(&|o| o.feedthrough_sensors = vec![3]),
+        option(&|o| o.measurement.feedthrough_sensors = vec![3]),
         ReconstructError::Option { .. }
     ));
     assert!(matches!(

@@ -2,9 +2,10 @@
 
 use super::flights::{AILERON, BOTH, RUDDER, two};
 use super::*;
-use crate::{Channel, SubspaceDoubt};
+use crate::likelihood::Doubt as OfFit;
+use crate::{Channel, Measurement, Offsets, likelihood::SearchOptions};
 
-fn says(found: &Reconstruction, doubt: impl Fn(&ReconstructionDoubt) -> bool) -> bool {
+fn says(found: &Reconstruction, doubt: impl Fn(&Doubt) -> bool) -> bool {
     found.doubts.iter().any(doubt)
 }
 
@@ -41,16 +42,16 @@ fn a_second_excitation_in_a_record_is_doubted() {
             assert!(
                 says(&found, |doubt| matches!(
                     doubt,
-                    ReconstructionDoubt::ResidualsNotWhite { record, .. } if record == name
+                    Doubt::Likelihood(OfFit::ResidualsNotWhite { record, .. }) if record == name
                 )),
                 "{pole} {ratio}: {:?}",
                 found.doubts
             );
             let named = says(&found, |doubt| match doubt {
-                ReconstructionDoubt::UnequalFit { record, .. }
-                | ReconstructionDoubt::Subspace(SubspaceDoubt::SeveralExcitations {
-                    record, ..
-                }) => record == name,
+                Doubt::Likelihood(OfFit::UnequalFit { record, .. })
+                | Doubt::Subspace(subspace::Doubt::SeveralExcitations { record, .. }) => {
+                    record == name
+                }
                 _ => false,
             });
             assert!(named, "{pole} {ratio}: {:?}", found.doubts);
@@ -65,19 +66,22 @@ fn an_offset_that_nobody_told_of_is_doubted() {
             .iter()
             .map(|record| {
                 let each = record.channels().iter().map(|channel| {
-                    let offset = size * crate::likelihood::rms(&channel.values);
+                    let offset = size * crate::model::record::rms(&channel.values);
                     let values = channel.values.iter().map(|value| value + offset);
                     Channel::new(channel.name.clone(), values.collect())
                 });
                 Record::new(record.name(), record.period(), each.collect()).unwrap()
             })
             .collect();
-        let offset =
-            |doubt: &ReconstructionDoubt| matches!(doubt, ReconstructionDoubt::Offset { .. });
+        let offset = |doubt: &Doubt| matches!(doubt, Doubt::Likelihood(OfFit::Offset { .. }));
         let order = OrderChoice::Fixed(4);
         let found = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
         assert!(says(&found, offset), "{size} {ratio}: {:?}", found.doubts);
-        let free = Options { order, offsets: crate::Offsets::Free, ..Options::default() };
+        let free = Options {
+            order,
+            measurement: Measurement { offsets: Offsets::Free, ..Measurement::default() },
+            ..Options::default()
+        };
         let found = reconstruct(&records, &free).unwrap();
         assert!(!says(&found, offset), "{size} {ratio}: {:?}", found.doubts);
     }
@@ -90,7 +94,7 @@ fn the_same_excitation_twice_is_doubted() {
     assert!(
         says(&found, |doubt| matches!(
             doubt,
-            ReconstructionDoubt::Subspace(SubspaceDoubt::SameExcitation { .. })
+            Doubt::Subspace(subspace::Doubt::SameExcitation { .. })
         )),
         "{:?}",
         found.doubts
@@ -103,7 +107,7 @@ fn short_records_are_doubted() {
         let records = two([AILERON, RUDDER], samples, 0.0, 1000.0, 4);
         let options = Options { order: OrderChoice::Fixed(4), ..Options::default() };
         let found = reconstruct(&records, &options).unwrap();
-        says(&found, |doubt| matches!(doubt, ReconstructionDoubt::TooShort { .. }))
+        says(&found, |doubt| matches!(doubt, Doubt::Likelihood(OfFit::TooShort { .. })))
     };
     assert!(short(40));
     assert!(!short(120));
@@ -119,16 +123,13 @@ fn orders_that_do_not_fit_are_doubted() {
     // Too low an order leaves residuals that are not white, too high a one has no gap behind it.
     let low = doubted(3);
     assert!(
-        says(&low, |doubt| matches!(doubt, ReconstructionDoubt::ResidualsNotWhite { .. })),
+        says(&low, |doubt| matches!(doubt, Doubt::Likelihood(OfFit::ResidualsNotWhite { .. }))),
         "{:?}",
         low.doubts
     );
     let high = doubted(6);
     assert!(
-        says(&high, |doubt| matches!(
-            doubt,
-            ReconstructionDoubt::Subspace(SubspaceDoubt::WeakOrder { .. })
-        )),
+        says(&high, |doubt| matches!(doubt, Doubt::Subspace(subspace::Doubt::WeakOrder { .. }))),
         "{:?}",
         high.doubts
     );
@@ -137,10 +138,13 @@ fn orders_that_do_not_fit_are_doubted() {
 #[test]
 fn a_search_that_was_stopped_is_doubted() {
     let records = two([AILERON, RUDDER], 1000, 0.0, 10.0, 6);
-    let stopped = Options { largest_steps: 1, ..Options::default() };
+    let stopped = Options {
+        search: SearchOptions { max_steps: 1, ..SearchOptions::default() },
+        ..Options::default()
+    };
     let found = reconstruct(&records, &stopped).unwrap();
     assert!(
-        says(&found, |doubt| matches!(doubt, ReconstructionDoubt::OptimumNotReached { .. })),
+        says(&found, |doubt| matches!(doubt, Doubt::Likelihood(OfFit::OptimumNotReached { .. }))),
         "{:?}",
         found.doubts
     );
@@ -150,11 +154,11 @@ fn a_search_that_was_stopped_is_doubted() {
 fn wrong_noise_levels_are_doubted() {
     let records = two([AILERON, RUDDER], 1000, 0.0, 100.0, 8);
     let found = reconstruct(&records, &Options::default()).unwrap();
-    let levels: Vec<f64> = found.noise_levels.unwrap().iter().map(|level| level.value).collect();
+    let levels: Vec<f64> = found.noise_levels().unwrap().iter().map(|level| level.value).collect();
     for (factor, doubted) in [(0.8, true), (1.0, false), (1.25, true)] {
         let noise = NoiseModel::Levels(levels.iter().map(|level| level * factor).collect());
         let found = reconstruct(&records, &Options { noise, ..Options::default() }).unwrap();
-        let poor = says(&found, |doubt| matches!(doubt, ReconstructionDoubt::PoorFit { .. }));
+        let poor = says(&found, |doubt| matches!(doubt, Doubt::Likelihood(OfFit::PoorFit { .. })));
         assert_eq!(poor, doubted, "{factor}: {:?}", found.doubts);
     }
 }

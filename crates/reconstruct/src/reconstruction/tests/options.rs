@@ -3,7 +3,8 @@
 use super::flights::{AILERON, RUDDER, inputs, levels, noisy, readings, two};
 use super::*;
 use crate::likelihood::fixtures::Normal;
-use crate::{FrequencyBand, Hold, Offsets, Trend};
+use crate::likelihood::{FrequencyBand, Hold};
+use crate::{Measurement, Offsets, Trend};
 
 #[test]
 fn offsets_and_trends_are_taken_out() {
@@ -12,7 +13,7 @@ fn offsets_and_trends_are_taken_out() {
         .iter()
         .map(|record| {
             let each = record.channels().iter().enumerate().map(|(i, channel)| {
-                let size = crate::likelihood::rms(&channel.values);
+                let size = crate::model::record::rms(&channel.values);
                 let drift = |k: usize| size * (0.5 + i as f64 + k as f64 / 1000.0);
                 let values = channel.values.iter().enumerate().map(|(k, value)| value + drift(k));
                 Channel::new(channel.name.clone(), values.collect())
@@ -21,8 +22,15 @@ fn offsets_and_trends_are_taken_out() {
         })
         .collect();
     let order = OrderChoice::Fixed(4);
-    let options =
-        Options { order, offsets: Offsets::Free, trend: Trend::Linear, ..Options::default() };
+    let options = Options {
+        order,
+        measurement: Measurement {
+            offsets: Offsets::Free,
+            trend: Trend::Linear,
+            ..Measurement::default()
+        },
+        ..Options::default()
+    };
     let found = reconstruct(&shifted, &options).unwrap();
     // The roll and the Dutch roll; a drift hides the spiral.
     for (distance, deviations) in &misses(&found)[..2] {
@@ -48,7 +56,13 @@ fn a_known_input_is_no_second_excitation() {
     let unknown = reconstruct(&records, &options).unwrap();
     assert!(!unknown.doubts.is_empty());
     let rudder: Vec<f64> = moved[0].row(1).iter().copied().collect();
-    let mut options = Options { known_inputs: vec![vec![rudder], Vec::new()], ..options };
+    let mut options = Options {
+        measurement: Measurement {
+            known_inputs: vec![vec![rudder], Vec::new()],
+            ..options.measurement.clone()
+        },
+        ..options
+    };
     let known = reconstruct(&records, &options).unwrap();
     for (distance, deviations) in misses(&known) {
         assert!(distance < 0.02 && deviations < 4.0, "{distance} {deviations}");
@@ -57,7 +71,7 @@ fn a_known_input_is_no_second_excitation() {
     options.method = Method::Subspace;
     let known = reconstruct(&records, &options).unwrap();
     assert!(known.doubts.is_empty(), "{:?}", known.doubts);
-    assert!(known.excitations.iter().all(|excitation| excitation.rank == 1));
+    assert!(known.excitations().iter().all(|excitation| excitation.rank == 1));
     assert!(misses(&known).iter().all(|(distance, _)| *distance < 0.03), "{:?}", misses(&known));
 }
 
@@ -79,9 +93,9 @@ fn a_quiet_record_serves_both_stages() {
     let plain = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
     let noise = NoiseModel::Quiet(quiet);
     let found = reconstruct(&records, &Options { order, noise, ..Options::default() }).unwrap();
-    let fit = found.goodness.unwrap();
+    let fit = found.fit().unwrap().chi_squared;
     assert!(!plain.doubts.is_empty());
-    assert!(found.noise_levels.is_none() && fit.p_value.is_some());
+    assert!(found.noise_levels().is_none() && fit.p_value.is_some());
     assert!((fit.per_degree_of_freedom() - 1.0).abs() < 0.3, "{fit:?}");
     assert!(misses(&found)[1].0 < 0.05 * 1.69, "{:?}", misses(&found));
 }
@@ -92,14 +106,20 @@ fn band_and_feedthrough_reach_the_likelihood() {
     let all = reconstruct(&records, &Options::default()).unwrap();
     let band = Some(FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: 15.0 });
     let part = reconstruct(&records, &Options { band, ..Options::default() }).unwrap();
-    let freedom = |found: &Reconstruction| found.goodness.unwrap().degrees_of_freedom;
+    let freedom = |found: &Reconstruction| found.fit().unwrap().chi_squared.degrees_of_freedom;
     assert!(freedom(&part) < 0.5 * freedom(&all));
     let feedthrough_sensors = vec![1];
-    let direct =
-        reconstruct(&records, &Options { feedthrough_sensors, ..Options::default() }).unwrap();
-    let fit = direct.likelihood.as_ref().unwrap();
-    assert_eq!(fit.identifiable, all.likelihood.as_ref().unwrap().identifiable + 2);
-    assert!(direct.model.as_ref().unwrap().feedthrough.is_some());
+    let direct = reconstruct(
+        &records,
+        &Options {
+            measurement: Measurement { feedthrough_sensors, ..Measurement::default() },
+            ..Options::default()
+        },
+    )
+    .unwrap();
+    let fit = direct.fit().unwrap();
+    assert_eq!(fit.identifiable, all.fit().unwrap().identifiable + 2);
+    assert!(direct.model().unwrap().feedthrough.is_some());
 }
 
 #[test]
@@ -125,8 +145,8 @@ fn the_hold_reaches_the_likelihood() {
     let order = OrderChoice::Fixed(4);
     for hold in [Hold::ZeroOrder, Hold::FirstOrder] {
         let options = Options { order, hold: Some(hold), ..Options::default() };
-        assert_eq!(reconstruct(&records, &options).unwrap().likelihood.unwrap().hold, hold);
+        assert_eq!(reconstruct(&records, &options).unwrap().fit().unwrap().hold, hold);
     }
     let free = reconstruct(&records, &Options { order, ..Options::default() }).unwrap();
-    assert_eq!(free.likelihood.unwrap().hold, Hold::ZeroOrder);
+    assert_eq!(free.fit().unwrap().hold, Hold::ZeroOrder);
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::likelihood::fixtures::{Disturbance, Normal, QUIET, fly, system};
-use crate::{ReconstructError, SubspaceDoubt};
+use crate::{Measurement, ReconstructError};
 use lti::s_to_z;
 
 /// The distance of each eigenvalue in z from the closest one found, and that in deviations.
@@ -33,7 +33,7 @@ fn systems_of_any_shape_are_found() {
         let model = system(&eigenvalues, sensors, samples.len(), &mut normal);
         let quiet = fly(&model, &samples, &QUIET, &mut normal);
         let found = reconstruct(&quiet.records, &Options::default()).unwrap();
-        assert_eq!(found.order.as_ref().unwrap().order, model.order(), "{case}");
+        assert_eq!(found.order().unwrap().order, model.order(), "{case}");
         for (distance, _) in misses(&found, &eigenvalues) {
             assert!(distance < 1e-7, "{case}: {distance:e}");
         }
@@ -57,7 +57,7 @@ fn the_criterion_is_lowest_at_the_true_order() {
     let criterion = |order: usize| {
         let order = OrderChoice::Fixed(order);
         let options = Options { order, noise: noise.clone(), ..Options::default() };
-        reconstruct(&noisy.records, &options).unwrap().likelihood.unwrap().criterion
+        reconstruct(&noisy.records, &options).unwrap().fit().unwrap().criterion
     };
     let [lower, right, higher] = [3, 4, 5].map(criterion);
     assert!(lower > right + 100.0, "{lower} {right}");
@@ -81,7 +81,7 @@ fn a_mode_that_is_not_excited_is_doubted() {
         found.doubts.iter().any(|doubt| {
             matches!(
                 doubt,
-                ReconstructionDoubt::Subspace(SubspaceDoubt::HardlyExcited { record, pole, .. })
+                Doubt::Subspace(subspace::Doubt::HardlyExcited { record, pole, .. })
                     if record == "record 1" && (pole.re - 0.4).abs() < 0.2
             )
         })
@@ -93,7 +93,7 @@ fn a_mode_that_is_not_excited_is_doubted() {
 #[test]
 fn the_same_records_give_the_same_result() {
     let records = pair("multistep_snr100");
-    let run = || reconstruct(&records, &Options::default()).unwrap().likelihood.unwrap();
+    let run = || reconstruct(&records, &Options::default()).unwrap().fit().unwrap().clone();
     assert_eq!(run().model, run().model);
 }
 
@@ -124,9 +124,15 @@ fn what_cannot_be_computed_is_refused_with_numbers() {
         assert!(refuse(&[], &options).1.contains('0'));
     }
     let known_inputs = vec![vec![vec![1.0; 10]], Vec::new()];
-    let (_, said) = refuse(&records, &Options { known_inputs, ..Options::default() });
+    let (_, said) = refuse(
+        &records,
+        &Options {
+            measurement: Measurement { known_inputs, ..Measurement::default() },
+            ..Options::default()
+        },
+    );
     assert!(said.contains("300") && said.contains("10"), "{said}");
-    let printed = Options { method: Method::AsPrinted, ..Options::default() };
+    let printed = Options { method: Method::Paper, ..Options::default() };
     assert!(matches!(
         refuse(&records[..1], &printed).0,
         ReconstructError::TooFewRecords { found: 1, needed: 2 }
@@ -136,7 +142,7 @@ fn what_cannot_be_computed_is_refused_with_numbers() {
 #[test]
 fn modes_come_by_real_part_of_z() {
     let found = reconstruct(&pair("white_snr100"), &Options::default()).unwrap();
-    let period = found.model.as_ref().unwrap().period;
+    let period = found.model().unwrap().period;
     let z: Vec<_> =
         found.modes.iter().map(|mode| s_to_z(mode.mode.eigenvalue, period).unwrap().re).collect();
     assert!(z.windows(2).all(|pair| pair[0] <= pair[1]), "{z:?}");

@@ -1,5 +1,5 @@
 use super::*;
-use crate::subspace::options::SubspaceOptions;
+use crate::subspace::options::Options;
 use crate::subspace::tests::{from_rows, generator, normal};
 use nalgebra::DMatrix;
 
@@ -8,7 +8,7 @@ fn rank(signal: impl Fn(usize) -> usize, order: usize) -> ExcitationRank {
     let mut rng = generator(9);
     let records =
         [from_rows("a", &normal(&mut rng, 3, 900)), from_rows("b", &normal(&mut rng, 3, 900))];
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     let setting = Setting::new(&records, &options).unwrap();
     let (rows, half) = (signal(20), signal(10));
     // Strong are as many of the first 30 rows as half the block rows show, and the rest further down.

@@ -21,7 +21,7 @@ fn extent(
     asked: Option<usize>,
 ) -> Result<(usize, usize), ReconstructError> {
     let records = records(count, sensors, samples);
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     let found = Setting::new(&records, &options)?.extent(order, asked)?;
     Ok((found.block_rows, found.largest_order))
 }
@@ -52,7 +52,7 @@ fn block_rows_by_rule() {
 fn the_shortest_record_decides_also_if_it_is_the_quiet_one() {
     let records = records(2, 3, 2000);
     let quiet = self::records(1, 3, 200).remove(0);
-    let options = SubspaceOptions { noise: NoiseModel::Quiet(quiet), ..SubspaceOptions::default() };
+    let options = Options { noise: NoiseModel::Quiet(quiet), ..Options::default() };
     let setting = Setting::new(&records, &options).unwrap();
     assert_eq!(setting.extent(OrderChoice::Fixed(4), None).unwrap().block_rows, 20);
 }
@@ -60,7 +60,7 @@ fn the_shortest_record_decides_also_if_it_is_the_quiet_one() {
 #[test]
 fn the_dimension_of_the_signal() {
     let records = records(2, 3, 100);
-    let mut options = SubspaceOptions::default();
+    let mut options = Options::default();
     assert_eq!(Setting::new(&records, &options).unwrap().signal_dimension(10, 4, 1), 13);
     options.direct_path = DirectPath::Present;
     let setting = Setting::new(&records, &options).unwrap();
@@ -74,7 +74,7 @@ fn channels_that_are_proportional_in_one_record_only_are_two_sensors() {
     let double = channels[0].values.iter().map(|value| 3.0 * value).collect();
     let channels = vec![channels[0].clone(), channels[1].clone(), Channel::new("y2", double)];
     data[0] = Record::new("0", data[0].period(), channels).unwrap();
-    assert!(Setting::new(&data, &SubspaceOptions::default()).is_ok());
+    assert!(Setting::new(&data, &Options::default()).is_ok());
 }
 
 #[test]

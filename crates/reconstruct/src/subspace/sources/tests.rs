@@ -1,5 +1,5 @@
 use super::*;
-use crate::subspace::options::SubspaceOptions;
+use crate::subspace::options::Options;
 use crate::subspace::tests::{from_rows, generator, normal};
 
 #[test]
@@ -12,7 +12,7 @@ fn covariances_are_those_of_the_block_hankel_matrix() {
         })
         .collect();
     let records: Vec<_> = data.iter().map(|(_, record)| record.clone()).collect();
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     let setting = Setting::new(&records, &options).unwrap();
     let sources = Sources::new(setting, 4, 3).unwrap();
     assert_eq!(sources.columns, [57, 67]);
@@ -47,7 +47,7 @@ fn a_triangle_where_there_is_no_noise() {
     let one = normal(&mut rng, 1, 80);
     let rows = DMatrix::from_fn(3, 79, |i, k| one[k + usize::from(i == 2)] * (i as f64 + 1.0));
     let records = [from_rows("a", &rows), from_rows("b", &normal(&mut rng, 3, 79))];
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     // The first two channels are proportional in one record: no error, but next to nothing there.
     let setting = Setting::new(&records, &options).unwrap();
     let sources = Sources::new(setting, 4, 4).unwrap();

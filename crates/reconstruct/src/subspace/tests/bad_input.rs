@@ -30,14 +30,14 @@ fn changed(record: &Record, sensor: usize, change: impl Fn(usize, f64) -> f64) -
 }
 
 #[track_caller]
-fn check(records: &[Record], options: &SubspaceOptions, message: &str) {
-    let error = intersect(records, options).unwrap_err();
+fn check(records: &[Record], options: &Options, message: &str) {
+    let error = identify(records, options).unwrap_err();
     assert_eq!(error.to_string(), message);
 }
 
 #[test]
 fn too_few_records_or_sensors() {
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     check(
         &[],
         &options,
@@ -54,9 +54,9 @@ fn too_few_records_or_sensors() {
         &options,
         "2 record(s) of 2 sensor(s): J (m - 1) = 2 must exceed m = 2, which takes 3 records of these sensors",
     );
-    let error = intersect(&records(5, 1, 300), &options).unwrap_err();
+    let error = identify(&records(5, 1, 300), &options).unwrap_err();
     assert_eq!(error, ReconstructError::NotIdentifiable { records: 5, sensors: 1 });
-    assert!(intersect(&records(3, 2, 300), &options).is_ok());
+    assert!(identify(&records(3, 2, 300), &options).is_ok());
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn too_short_for_the_block_rows_or_the_order() {
         "record \"record 1\" has 79 samples, but 20 block rows of 3 sensors need 80",
     );
     data[1] = records(2, 3, 80).remove(1);
-    assert!(intersect(&data, &options).is_ok());
+    assert!(identify(&data, &options).is_ok());
 
     options.block_rows = Some(4);
     options.order = OrderChoice::Fixed(6);
@@ -94,7 +94,7 @@ fn too_short_for_the_block_rows_or_the_order() {
     );
     check(
         &records(2, 3, 6),
-        &SubspaceOptions::default(),
+        &Options::default(),
         "record \"record 0\" has 6 samples, but 2 block rows of 3 sensors need 8",
     );
     check(&data, &fixed(0), "an order of 0 was asked for, but a system has at least one state");
@@ -102,7 +102,7 @@ fn too_short_for_the_block_rows_or_the_order() {
 
 #[test]
 fn dead_doubled_and_silent_channels() {
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     let mut data = records(2, 3, 300);
     let constant = changed(&data[1], 2, |_, _| 0.25);
     check(
@@ -130,34 +130,34 @@ fn dead_doubled_and_silent_channels() {
 #[test]
 fn records_that_do_not_fit_together() {
     let data = records(2, 3, 300);
-    let options = SubspaceOptions::default();
+    let options = Options::default();
     let slower =
         Record::new("slow", SamplePeriod::new(0.2).unwrap(), data[1].channels().to_vec()).unwrap();
-    let error = intersect(&[data[0].clone(), slower], &options).unwrap_err();
+    let error = identify(&[data[0].clone(), slower], &options).unwrap_err();
     assert!(matches!(error, ReconstructError::DifferentSampling { .. }), "{error}");
     let fewer = Record::new("fewer", data[1].period(), data[1].channels()[..2].to_vec()).unwrap();
-    let error = intersect(&[data[0].clone(), fewer], &options).unwrap_err();
+    let error = identify(&[data[0].clone(), fewer], &options).unwrap_err();
     assert!(matches!(error, ReconstructError::DifferentChannels { .. }), "{error}");
 }
 
 #[test]
 fn noise_models_that_do_not_fit() {
     let data = records(2, 3, 300);
-    let with = |noise| SubspaceOptions { noise, ..fixed(2) };
+    let with = |noise| Options { noise, ..fixed(2) };
     check(&data, &with(NoiseModel::Levels(vec![0.1; 2])), "2 noise level(s) for 3 sensor(s)");
     check(
         &data,
         &with(NoiseModel::Levels(vec![0.1, 0.0, 0.1])),
         "the noise level of sensor \"y1\" is 0, but must be positive and finite",
     );
-    let error = intersect(&data, &with(NoiseModel::Levels(vec![0.1, 0.1, f64::NAN]))).unwrap_err();
+    let error = identify(&data, &with(NoiseModel::Levels(vec![0.1, 0.1, f64::NAN]))).unwrap_err();
     assert!(matches!(error, ReconstructError::InvalidNoiseLevel { .. }), "{error}");
 
     // A quiet record that shows the motion of one state and no noise.
     let silent = DMatrix::from_fn(3, 300, |i, k| (i as f64 + 1.0) * 0.99_f64.powf(k as f64));
     let silent =
         changed(&from_rows("quiet", &silent), 0, |k, value| value + 1e-3 * (k as f64).sin());
-    let error = intersect(&data, &with(NoiseModel::Quiet(silent))).unwrap_err();
+    let error = identify(&data, &with(NoiseModel::Quiet(silent))).unwrap_err();
     assert!(
         matches!(error, ReconstructError::SilentRecord { rank, rows, .. } if rank < rows),
         "{error}"
@@ -175,14 +175,14 @@ fn noise_models_that_do_not_fit() {
 #[test]
 fn units_of_any_size_give_the_same() {
     let data = records(2, 3, 300);
-    let expected = intersect(&data, &fixed(2)).unwrap();
+    let expected = identify(&data, &fixed(2)).unwrap();
     for (first, second) in [(1e200, 1e-200), (1e-290, 1e290), (3e4, 1.0)] {
         let scaled: Vec<_> = data
             .iter()
             .map(|record| changed(record, 0, |_, value| first * value))
             .map(|record| changed(&record, 1, |_, value| second * value))
             .collect();
-        let found = intersect(&scaled, &fixed(2)).unwrap();
+        let found = identify(&scaled, &fixed(2)).unwrap();
         for (found, expected) in found.modes.iter().zip(&expected.modes) {
             assert!((found.pole - expected.pole).norm() < 1e-9, "{} {}", found.pole, expected.pole);
         }
@@ -194,9 +194,9 @@ fn units_of_any_size_give_the_same() {
 #[test]
 fn offsets_do_not_matter_where_rows_are_centred() {
     let data = records(2, 3, 300);
-    let expected = intersect(&data, &fixed(2)).unwrap();
+    let expected = identify(&data, &fixed(2)).unwrap();
     let shifted: Vec<_> = data.iter().map(|r| changed(r, 1, |_, value| value + 1e6)).collect();
-    let found = intersect(&shifted, &fixed(2)).unwrap();
+    let found = identify(&shifted, &fixed(2)).unwrap();
     for (found, expected) in found.modes.iter().zip(&expected.modes) {
         // 1e6 costs six of the digits of samples of 1.
         assert!((found.pole - expected.pole).norm() < 1e-7, "{} {}", found.pole, expected.pole);
@@ -225,8 +225,8 @@ fn nothing_in_a_result_is_undefined() {
         shape(&|i, k| (0.7 * k as f64 - (i * i) as f64).sin(), 1),
     ];
     for data in [noise, steps, spikes, tones] {
-        for options in [SubspaceOptions::default(), fixed(4), fixed(1)] {
-            let found = match intersect(&data, &options) {
+        for options in [Options::default(), fixed(4), fixed(1)] {
+            let found = match identify(&data, &options) {
                 Ok(found) => found,
                 Err(error) => {
                     assert!(matches!(error, ReconstructError::Step { .. }), "{error}");
@@ -236,7 +236,9 @@ fn nothing_in_a_result_is_undefined() {
             let model = &found.model;
             let all = model.a.iter().chain(model.c.iter()).chain(model.b.iter().flatten());
             assert!(all.copied().all(f64::is_finite), "{found:?}");
-            assert!(found.modes.iter().flat_map(|mode| &mode.strength).all(|s| s.is_finite()));
+            assert!(
+                found.modes.iter().flat_map(|mode| &mode.excitation_snr).all(|s| s.is_finite())
+            );
             assert!(found.noise.deviations.iter().all(|level| *level > 0.0));
             assert!(!found.doubts.is_empty(), "{} {:?}", data[0].name(), options.order);
         }

@@ -98,9 +98,8 @@ fn errors_are_proportional_to_the_noise_and_no_good_record_is_doubted() {
             let mut rng = generator(seed);
             let clean = two_readings(2000, 0.0, &mut rng);
             let data = noisy(&clean, &levels(&clean, ratio), &mut rng);
-            let options =
-                SubspaceOptions { centring: Centring::None, ..SubspaceOptions::default() };
-            let found = intersect(&data, &options).unwrap();
+            let options = Options { centring: Centring::None, ..Options::default() };
+            let found = identify(&data, &options).unwrap();
             assert_eq!(found.order.order, 4, "{:?}", found.order.gaps);
             assert_eq!(found.doubts, [], "SNR {ratio}, seed {seed}");
             all.push(errors(&found));
@@ -118,7 +117,7 @@ fn low_pass_excitation_is_enough() {
         let mut rng = generator(seed + 50);
         let clean = two_readings(2000, 0.9, &mut rng);
         let data = noisy(&clean, &levels(&clean, 30.0), &mut rng);
-        let found = intersect(&data, &SubspaceOptions::default()).unwrap();
+        let found = identify(&data, &Options::default()).unwrap();
         assert_eq!(found.order.order, 4, "{:?}", found.order.gaps);
         assert!(found.records.iter().all(|record| record.excitation.rank == 1));
     }
@@ -133,11 +132,11 @@ fn several_excitations_in_a_record_are_counted() {
         let (aileron, rudder) = (low_pass(pole, 2000, &mut rng), low_pass(pole, 2000, &mut rng));
         both[1] = readings([&aileron, &rudder, &rest], None);
         let data = noisy(&both, &levels(&both, ratio), &mut rng);
-        let found = intersect(&data, &fixed(4)).unwrap();
+        let found = identify(&data, &fixed(4)).unwrap();
         assert!(
             found.doubts.iter().any(|doubt| matches!(
                 doubt,
-                SubspaceDoubt::SeveralExcitations { record, rank: 2, .. } if record == "rudder"
+                Doubt::SeveralExcitations { record, rank: 2, .. } if record == "rudder"
             )),
             "{ratio} {pole} {:?}",
             found.doubts
@@ -162,18 +161,16 @@ fn equal_excitations_are_recognised() {
             .map(|_| readings([&white(2000, &mut rng), &rest, &rest], None))
             .collect::<Vec<_>>();
         let data = noisy(&each[..2], &levels(&each, ratio), &mut rng);
-        for options in [fixed(4), SubspaceOptions::default()] {
-            let found = intersect(&data, &options).unwrap();
-            assert!(found.doubts.iter().any(|doubt| matches!(doubt, SubspaceDoubt::SameExcitation { first, second, .. } if first == "aileron" && second == "rudder")), "{ratio} {:?}", found.doubts);
+        for options in [fixed(4), Options::default()] {
+            let found = identify(&data, &options).unwrap();
+            assert!(found.doubts.iter().any(|doubt| matches!(doubt, Doubt::SameExcitation { first, second, .. } if first == "aileron" && second == "rudder")), "{ratio} {:?}", found.doubts);
         }
         // A third record of another direction is what was missing: only the equal pair is named.
         let mut three = each.clone();
         three[2] = readings([&rest, &white(2000, &mut rng), &rest], None);
-        let found = intersect(&noisy(&three, &levels(&three, ratio), &mut rng), &fixed(4)).unwrap();
-        let pairs = found
-            .doubts
-            .iter()
-            .filter(|doubt| matches!(doubt, SubspaceDoubt::SameExcitation { .. }));
+        let found = identify(&noisy(&three, &levels(&three, ratio), &mut rng), &fixed(4)).unwrap();
+        let pairs =
+            found.doubts.iter().filter(|doubt| matches!(doubt, Doubt::SameExcitation { .. }));
         assert_eq!(pairs.count(), 1, "{:?}", found.doubts);
     }
 }
@@ -188,7 +185,7 @@ fn free_motion_and_missing_modes_are_recognised() {
     let data = noisy(&clean, &levels(&clean, 1000.0), &mut rng);
     let mut options = fixed(4);
     options.centring = Centring::None;
-    let found = intersect(&data, &options).unwrap();
+    let found = identify(&data, &options).unwrap();
     assert_eq!(
         found.records[1].excitation.rank,
         0,
@@ -197,7 +194,7 @@ fn free_motion_and_missing_modes_are_recognised() {
         found.noise,
         levels(&clean, 1000.0)
     );
-    assert!(found.doubts.contains(&SubspaceDoubt::NoExcitation { record: "rudder".to_owned() }));
+    assert!(found.doubts.contains(&Doubt::NoExcitation { record: "rudder".to_owned() }));
 }
 
 #[test]
@@ -218,9 +215,10 @@ fn a_mode_that_a_record_does_not_show_is_doubted() {
     let strong = run("strong", 2.0);
     let mut doubted = 0;
     for weak in [0.3, 0.1, 0.03, 0.01, 0.003, 0.0] {
-        let found = intersect(&[strong.clone(), run("weak", weak)], &fixed(3)).unwrap();
+        let found = identify(&[strong.clone(), run("weak", weak)], &fixed(3)).unwrap();
         let error = found.modes.iter().map(|mode| (mode.pole - 0.6).norm()).fold(1.0, f64::min);
-        let strength = found.modes.iter().map(|mode| mode.strength[1]).fold(f64::MAX, f64::min);
+        let strength =
+            found.modes.iter().map(|mode| mode.excitation_snr[1]).fold(f64::MAX, f64::min);
         // 0.02 is the noise of one sample.
         assert!(error < 0.01 || !found.doubts.is_empty(), "{weak}: {error}");
         assert!(weak < 0.03 || error < 0.01, "{weak}: {error}");
@@ -247,14 +245,14 @@ fn a_quiet_record_takes_turbulence_out() {
         }
         let data = noisy(&clean, &level, &mut rng);
         let quiet = noisy(&[&gusts[2] * factor], &level, &mut rng).remove(0);
-        let plain = intersect(&data, &fixed(4)).unwrap();
+        let plain = identify(&data, &fixed(4)).unwrap();
         let mut options = fixed(4);
         options.noise = NoiseModel::Quiet(quiet);
-        let whitened = intersect(&data, &options).unwrap();
+        let whitened = identify(&data, &options).unwrap();
         assert_eq!(whitened.noise.origin, NoiseOrigin::Quiet { samples: 1800 });
         assert!(plain.doubts.iter().any(|doubt| matches!(
             doubt,
-            SubspaceDoubt::NoiseNotWhite { .. } | SubspaceDoubt::SeveralExcitations { .. }
+            Doubt::NoiseNotWhite { .. } | Doubt::SeveralExcitations { .. }
         )));
         with.push(errors(&whitened)[1]);
         without.push(errors(&plain)[1]);

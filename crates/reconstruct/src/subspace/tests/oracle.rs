@@ -50,7 +50,7 @@ fn poles_are_those_of_the_oracle() {
             options.centring = centring;
             // The oracle leaves room for a direct path.
             options.direct_path = DirectPath::Present;
-            let found = intersect(&pair(name), &options).unwrap();
+            let found = identify(&pair(name), &options).unwrap();
             let poles: Vec<_> =
                 expected["eigenvalues"].as_array().unwrap().iter().map(numbers).collect();
             let poles: Vec<_> = poles.iter().map(|pole| Complex::new(pole[0], pole[1])).collect();
@@ -71,12 +71,12 @@ fn noise_free_records_give_the_eigenvalues() {
         (Centring::None, None, OrderChoice::Gap { largest: 10 }),
         (Centring::Rows, Some(40), OrderChoice::Gap { largest: 10 }),
     ] {
-        let options = SubspaceOptions { order, centring, block_rows, ..SubspaceOptions::default() };
-        let found = intersect(&pair("noise_free"), &options).unwrap();
+        let options = Options { order, centring, block_rows, ..Options::default() };
+        let found = identify(&pair("noise_free"), &options).unwrap();
         assert_eq!(found.order.order, 4);
         // Distances in 1/s; the slowest eigenvalue is 0.0016.
         let found_there = eigenvalues(&found);
-        let distance = crate::containment(&truth(), &found_there).largest_distance();
+        let distance = crate::paper::containment(&truth(), &found_there).largest_distance();
         assert!(distance < 1e-12, "{distance:e}");
         assert_eq!(found.noise.origin, NoiseOrigin::Rounding);
         assert_eq!(found.doubts, []);
@@ -90,7 +90,7 @@ fn noise_levels_come_out_within_some_per_cent() {
         ("white_snr10", [0.297_33, 0.758_75, 0.592_35], 0.05),
         ("multistep_snr100", [0.031_953, 0.081_879, 0.053_620], 0.12),
     ] {
-        let found = intersect(&pair(name), &fixed(4)).unwrap();
+        let found = identify(&pair(name), &fixed(4)).unwrap();
         for (found, expected) in found.noise.deviations.iter().zip(level) {
             assert!((found / expected - 1.0).abs() < tolerance, "{name}: {found} {expected}");
         }
@@ -101,8 +101,8 @@ fn noise_levels_come_out_within_some_per_cent() {
 fn the_gap_tells_four_states() {
     for name in ["white_snr100", "white_snr10", "multistep_snr100"] {
         for centring in [Centring::Rows, Centring::None] {
-            let options = SubspaceOptions { centring, ..SubspaceOptions::default() };
-            let found = intersect(&pair(name), &options).unwrap();
+            let options = Options { centring, ..Options::default() };
+            let found = identify(&pair(name), &options).unwrap();
             assert_eq!(found.order.order, 4);
         }
     }

@@ -147,13 +147,13 @@ proptest! {
         let data = simulate(&plant, 400, None, seed + 1);
         let mut options = fixed(order);
         options.centring = centring;
-        let found = intersect(&data, &options).unwrap();
+        let found = identify(&data, &options).unwrap();
         let error = model_error(&plant, None, &found.model);
         prop_assert!(error < 1e-7, "{error:e}");
         prop_assert_eq!(found.doubts, []);
 
         options.order = OrderChoice::Gap { largest: 12 };
-        let found = intersect(&data, &options).unwrap();
+        let found = identify(&data, &options).unwrap();
         prop_assert_eq!(found.order.order, order, "{:?}", found.order.gaps);
         prop_assert!(found.records.iter().all(|record| record.excitation.rank == 1));
     }
@@ -163,7 +163,7 @@ proptest! {
 fn two_sensors_and_three_records_are_enough() {
     for order in 2..=8 {
         let plant = plant(Kind::Complex, order, 2, 3, 40 + order as u64);
-        let found = intersect(&simulate(&plant, 500, None, 3), &fixed(order)).unwrap();
+        let found = identify(&simulate(&plant, 500, None, 3), &fixed(order)).unwrap();
         let error = model_error(&plant, None, &found.model);
         assert!(error < 1e-7, "{order}: {error:e}");
     }
@@ -177,7 +177,7 @@ fn a_direct_path_is_recovered() {
         let d: Vec<_> = (0..3).map(|_| normal(&mut rng, 3, 1).column(0).into_owned()).collect();
         let mut options = fixed(4);
         options.direct_path = DirectPath::Present;
-        let found = intersect(&simulate(&plant, 500, Some(&d), seed), &options).unwrap();
+        let found = identify(&simulate(&plant, 500, Some(&d), seed), &options).unwrap();
         let error = model_error(&plant, Some(&d), &found.model);
         assert!(error < 1e-7, "{error:e}");
         assert_eq!(found.doubts, []);

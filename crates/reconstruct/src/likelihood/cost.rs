@@ -1,0 +1,24 @@
+//! What is minimised? Records in the frequency domain; cost, gradient and Gram matrix of the likelihood, the parts that known signals explain taken out.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `spectrum.rs` | records to the frequency domain; offsets, trends, bands, known inputs |
+//! | `parameters.rs` | the unknowns, and where each of them stands in the vector of parameters |
+//! | `first_order_hold.rs` | d_j of an excitation that moves between samples |
+//! | `feedback.rs`, `record_system.rs`, `schur_form.rs` | the system as one record sees it, prepared for the loop over frequencies |
+//! | `frequency_block.rs`, `simd.rs` | everything at eight frequencies |
+//! | `sums.rs`, `accumulate.rs` | the sums over frequencies |
+//! | `evaluation.rs` | cost, gradient and Gram matrix of all records; t_j eliminated |
+
+pub(crate) mod accumulate;
+pub(crate) mod evaluation;
+pub(crate) mod feedback;
+pub(crate) mod first_order_hold;
+mod frequency_block;
+pub(crate) mod parameters;
+mod record_system;
+pub(crate) mod resolvent;
+mod schur_form;
+mod simd;
+pub(crate) mod spectrum;
+mod sums;

@@ -1,0 +1,120 @@
+//! The sums over frequencies behind cost, gradient and Gram matrix of one record: the inner loop of the fit.
+//!
+//! At one frequency, H = C (zI - A)^-1, g = H b + d, Phi = S^-1 - S^-1 g g^H S^-1 / (g^H S^-1 g), S the noise covariance, and e what the sensors
+//! read less what known signals explain. The excitation's estimate is U = g^H S^-1 e / (g^H S^-1 g), the state's X = (zI - A)^-1 (b U + f tau), and
+//! the cost is e^H Phi e. Every parameter moves the sensors by a column of D = [H, I] times one of the scalars s = (X, U, f): entry (i, l) of A by H_i X_l,
+//! b_i by H_i U, entry (s, l) of C by I_s X_l. So the Gram matrix is the sum of Re (D^H Phi D)_ik conj(s_a) s_c, a Kronecker product at each
+//! frequency, and the sum is a product of two matrices with one column per frequency.
+
+use std::ops::Range;
+
+use super::frequency_block::FrequencyBlock;
+use super::record_system::RecordSystem;
+use super::schur_form::SchurForm;
+use super::simd::WIDTH;
+use super::spectrum::RecordSpectrum;
+use super::sums::{Sums, TILE, Tile, Totals};
+use crate::model::in_order::in_order;
+
+/// Frequencies that one thread sums at a time. A record is cut there whatever the number of threads, so that its sums do not depend on that.
+const SHARE: usize = 512 * TILE;
+
+/// Which scalars multiply D.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scalars {
+    /// The estimates X and U.
+    Estimated,
+    /// Only what noise alone would contribute to them: U = 1 / sqrt(g^H S^-1 g), X = (zI - A)^-1 b U, f = 0.
+    NoisePart,
+}
+
+/// Adds up one record.
+pub(crate) fn accumulate(
+    record: &RecordSpectrum,
+    seen: &RecordSystem,
+    scalars: Scalars,
+    keep_spectrum: bool,
+    threads: usize,
+) -> Sums {
+    let (n, m) = (seen.b.len(), seen.d.len());
+    let count = n + 1 + record.entries.len();
+    let mut all = Sums::zero(n, m, count, keep_spectrum);
+    let Some(tables) = SchurForm::new(record, seen) else {
+        // Without a Schur form there is no cost: NaN is never below anything.
+        all.cost = f64::NAN;
+        return all;
+    };
+    let frequencies = record.frequencies();
+    let shares: Vec<Range<usize>> = (0..frequencies)
+        .step_by(SHARE)
+        .map(|first| first..frequencies.min(first + SHARE))
+        .collect();
+    let parts = in_order(&shares, threads, |share| {
+        let mut sums = Sums::zero(n, m, count, keep_spectrum);
+        let mut totals = Totals::new(n, m, count);
+        pulp::Arch::new().dispatch(Loop {
+            record,
+            frequencies: share.clone(),
+            tables: &tables,
+            scalars,
+            totals: &mut totals,
+            sums: &mut sums,
+        });
+        totals.give(&mut sums);
+        sums
+    });
+    let mut parts = parts.into_iter();
+    let Some(mut first) = parts.next() else { return all };
+    parts.for_each(|part| first.add(part));
+    first
+}
+
+/// The loop over frequencies, compiled once for each kind of vectors.
+struct Loop<'a> {
+    record: &'a RecordSpectrum,
+    /// From a multiple of [`WIDTH`] on.
+    frequencies: Range<usize>,
+    tables: &'a SchurForm,
+    scalars: Scalars,
+    totals: &'a mut Totals,
+    sums: &'a mut Sums,
+}
+
+impl pulp::WithSimd for Loop<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _simd: S) {
+        add_up(self);
+    }
+}
+
+#[inline(always)]
+fn add_up(parts: Loop<'_>) {
+    let Loop { record, frequencies, tables, scalars, totals, sums } = parts;
+    let mut tile = Tile::new(sums.real.nrows(), sums.real.ncols());
+    let mut at = FrequencyBlock::new(tables);
+    for first in frequencies.clone().step_by(WIDTH) {
+        at.load(record, tables, first);
+        at.evaluate(record, tables);
+        let cost = at.weight * at.cost();
+        totals.cost += cost;
+        if let Some(spectrum) = &mut sums.spectrum {
+            spectrum.extend(&cost.0[..WIDTH.min(frequencies.end - first)]);
+        }
+        at.add_levels(totals);
+        match scalars {
+            Scalars::Estimated => at.estimated_scalars(tables),
+            Scalars::NoisePart => at.noise_scalars(tables),
+        }
+        at.add_moments(totals);
+        at.fill(&mut tile);
+        if tile.filled == TILE {
+            tile.flush(sums);
+        }
+    }
+    tile.flush(sums);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,238 @@
+//! A record in the frequency domain: what the sums of the likelihood run over.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use realfft::RealFftPlanner;
+
+use crate::likelihood::options::{FrequencyBand, Noise, Options};
+use crate::model::noise_spectrum::inverse_of_hermitian;
+use crate::model::record::rms;
+use crate::{Offsets, ReconstructError, Record, Trend};
+
+/// A known signal that enters a record with unknown coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Entry {
+    /// Into the state alone: the difference of the initial and the final state.
+    State,
+    /// Into the state and those sensors that read inputs directly: a recorded input.
+    StateAndFeedthrough,
+    /// Into each sensor: a trend.
+    Sensors,
+}
+
+/// One record at the frequencies that are used, each sensor divided by its unit.
+#[derive(Clone, Debug)]
+pub(crate) struct RecordSpectrum {
+    /// z = exp(2 pi j k / N).
+    pub(crate) z: Vec<Complex<f64>>,
+    /// 2 inside, 1 at frequency zero and at half the sampling frequency.
+    pub(crate) weight: Vec<f64>,
+    /// The sensors, m per frequency: N^(-1/2) sum y(i) z^-i over the unit.
+    pub(crate) y: Vec<Complex<f64>>,
+    /// How each factor enters.
+    pub(crate) entries: Vec<Entry>,
+    /// The factors' transforms, one per entry and frequency.
+    pub(crate) factors: Vec<Complex<f64>>,
+    /// Inverse noise covariances, m x m per frequency (symmetric storage does not matter: row by row); `None` for white noise.
+    pub(crate) precision: Option<Vec<Complex<f64>>>,
+    /// Variances that offsets add at frequency zero, which is then the first one; zero where offsets are not random.
+    pub(crate) offset_variance: Vec<f64>,
+    /// Whether the first frequency is zero.
+    pub(crate) starts_at_zero: bool,
+}
+
+impl RecordSpectrum {
+    pub(crate) fn frequencies(&self) -> usize {
+        self.z.len()
+    }
+
+    /// The same without frequency zero.
+    pub(crate) fn without_zero(&self) -> Self {
+        let mut rest = self.clone();
+        if self.starts_at_zero {
+            let (m, entries) = (self.offset_variance.len(), self.entries.len());
+            rest.z.remove(0);
+            rest.weight.remove(0);
+            rest.y.drain(..m);
+            rest.factors.drain(..entries);
+            if let Some(precision) = &mut rest.precision {
+                precision.drain(..m * m);
+            }
+            rest.starts_at_zero = false;
+        }
+        rest
+    }
+
+    /// Real residuals: (m - 1) for each real number of the transform.
+    pub(crate) fn residuals(&self, sensors: usize) -> f64 {
+        self.weight.iter().sum::<f64>() * (sensors - 1) as f64
+    }
+}
+
+/// Where nothing is known, the noise starts at this part of a sensor's root mean square over all records.
+const FIRST_GUESS: f64 = 0.01;
+
+/// What each sensor is divided by: its noise level as far as it is known.
+pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
+    let sensors = records.first().map_or(0, |record| record.channels().len());
+    match &options.noise {
+        Noise::Given(levels) | Noise::Estimated { first_guess: Some(levels) } => levels.clone(),
+        Noise::Estimated { first_guess: None } => (0..sensors)
+            .map(|sensor| {
+                let squares: f64 = records
+                    .iter()
+                    .map(|record| rms(&record.channels()[sensor].values).powi(2))
+                    .sum();
+                FIRST_GUESS * (squares / records.len() as f64).sqrt()
+            })
+            .collect(),
+        Noise::Spectra(spectra) => (0..sensors)
+            .map(|sensor| {
+                let all = spectra.iter().flat_map(|spectrum| spectrum.covariances());
+                let (sum, number) = all.fold((0.0, 0.0), |(sum, number), covariance| {
+                    (sum + covariance[(sensor, sensor)].re, number + 1.0)
+                });
+                (sum / number).sqrt()
+            })
+            .collect(),
+    }
+}
+
+/// The transform of one record at the frequencies that the options leave.
+pub(crate) fn transform(
+    record: &Record,
+    index: usize,
+    units: &[f64],
+    options: &Options,
+    planner: &mut RealFftPlanner<f64>,
+) -> Result<RecordSpectrum, ReconstructError> {
+    let samples = record.samples();
+    let kept = kept_frequencies(record, options);
+    let fft = planner.plan_fft_forward(samples);
+    let run = |values: &[f64], unit: f64| {
+        let mut input: Vec<f64> = values.iter().map(|value| value / unit).collect();
+        let mut output = fft.make_output_vec();
+        let scale = 1.0 / (samples as f64).sqrt();
+        // Both buffers come from the plan, so that it cannot refuse them.
+        match fft.process(&mut input, &mut output) {
+            Ok(()) => Ok(output.into_iter().map(|value| value * scale).collect::<Vec<_>>()),
+            Err(error) => Err(ReconstructError::Step {
+                step: "Fourier transform",
+                message: error.to_string(),
+            }),
+        }
+    };
+    let channels = record
+        .channels()
+        .iter()
+        .zip(units)
+        .map(|(channel, &unit)| run(&channel.values, unit))
+        .collect::<Result<Vec<_>, _>>()?;
+    let known = options.measurement.known_inputs.get(index).map_or(&[][..], Vec::as_slice);
+    let inputs = known.iter().map(|input| run(input, rms(input))).collect::<Result<Vec<_>, _>>()?;
+    let z: Vec<_> = kept.iter().map(|&k| unit_root(k, samples)).collect();
+    let weight: Vec<f64> =
+        kept.iter().map(|&k| if k == 0 || 2 * k == samples { 1.0 } else { 2.0 }).collect();
+    let mut entries = vec![Entry::State];
+    entries.extend(inputs.iter().map(|_| Entry::StateAndFeedthrough));
+    if options.measurement.trend == Trend::Linear {
+        entries.push(Entry::Sensors);
+    }
+    let mut factors = Vec::with_capacity(entries.len() * kept.len());
+    for (&k, &z) in kept.iter().zip(&z) {
+        factors.push(z);
+        factors.extend(inputs.iter().map(|input| input[k]));
+        if options.measurement.trend == Trend::Linear {
+            factors.push(ramp(k, z, samples));
+        }
+    }
+    let y = kept.iter().flat_map(|&k| channels.iter().map(move |channel| channel[k])).collect();
+    let starts_at_zero = kept.first() == Some(&0);
+    let offset_variance = match &options.measurement.offsets {
+        Offsets::PriorDeviation(deviations) if starts_at_zero => deviations
+            .iter()
+            .zip(units)
+            .map(|(deviation, unit)| samples as f64 * (deviation / unit).powi(2))
+            .collect(),
+        _ => vec![0.0; units.len()],
+    };
+    let precision = match &options.noise {
+        Noise::Spectra(spectra) => {
+            Some(precisions(&spectra[index], &kept, units, &offset_variance)?)
+        }
+        _ => None,
+    };
+    Ok(RecordSpectrum {
+        z,
+        weight,
+        y,
+        entries,
+        factors,
+        precision,
+        offset_variance,
+        starts_at_zero,
+    })
+}
+
+fn kept_frequencies(record: &Record, options: &Options) -> Vec<usize> {
+    let samples = record.samples();
+    let first = usize::from(options.measurement.offsets == Offsets::Free);
+    let step = TAU / (samples as f64 * record.period().seconds());
+    let inside = |k: &usize| {
+        options.band.is_none_or(|FrequencyBand { lowest_rad_s, highest_rad_s }| {
+            let frequency = step * (*k) as f64;
+            // Half a millionth of a step, so that a limit meant to be a frequency of the transform is one.
+            let slack = 5e-7 * step;
+            frequency >= lowest_rad_s - slack && frequency <= highest_rad_s + slack
+        })
+    };
+    (first..=samples / 2).filter(inside).collect()
+}
+
+/// exp(2 pi j k / N), exact at 0 and at half the sampling frequency.
+fn unit_root(k: usize, samples: usize) -> Complex<f64> {
+    if 2 * k == samples {
+        return Complex::new(-1.0, 0.0);
+    }
+    Complex::from_polar(1.0, TAU * k as f64 / samples as f64)
+}
+
+/// The transform of sqrt(12) (i - (N - 1)/2) / N, a ramp without mean and of about unit variance.
+fn ramp(k: usize, z: Complex<f64>, samples: usize) -> Complex<f64> {
+    if k == 0 {
+        return Complex::new(0.0, 0.0);
+    }
+    Complex::new(12.0_f64.sqrt() / (samples as f64).sqrt(), 0.0) / (z.conj() - 1.0)
+}
+
+fn precisions(
+    spectrum: &crate::model::NoiseSpectrum,
+    kept: &[usize],
+    units: &[f64],
+    offset_variance: &[f64],
+) -> Result<Vec<Complex<f64>>, ReconstructError> {
+    let sensors = units.len();
+    let mut all = Vec::with_capacity(kept.len() * sensors * sensors);
+    for &k in kept {
+        let mut scaled = spectrum.covariances()[k].clone();
+        for i in 0..sensors {
+            for l in 0..sensors {
+                scaled[(i, l)] /= units[i] * units[l];
+            }
+            if k == 0 {
+                scaled[(i, i)] += offset_variance[i];
+            }
+        }
+        let inverse = inverse_of_hermitian(&scaled).ok_or_else(|| ReconstructError::Noise {
+            message: format!("the covariance at frequency {k} cannot be inverted"),
+        })?;
+        for i in 0..sensors {
+            all.extend((0..sensors).map(|l| inverse[(i, l)]));
+        }
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,177 @@
+//! From the best local optimum to the result: standard errors, tests of fit, the sensors' units.
+
+use lti::SamplePeriod;
+use nalgebra::{DMatrix, DVector};
+
+use super::fit::{Fit, Rival};
+use super::goodness_of_fit::{self, ChiSquared};
+use super::offset_test::offset_test;
+use super::uncertainty::{self, Mode};
+use crate::likelihood::cost::accumulate::Scalars;
+use crate::likelihood::cost::evaluation::Problem;
+use crate::likelihood::cost::first_order_hold::FirstOrder;
+use crate::likelihood::cost::parameters::{Layout, System};
+use crate::likelihood::options::{Noise, Options};
+use crate::likelihood::search::hold_selection::PRICE;
+use crate::likelihood::search::local_search::LocalOptimum;
+use crate::likelihood::search::multistart::Found;
+use crate::{Offsets, ReconstructError, Record};
+
+pub(crate) fn conclude(
+    records: &[Record],
+    problem: &Problem,
+    (found, hold_evidence): (Found, Option<f64>),
+    units: &[f64],
+    residuals: f64,
+    options: &Options,
+) -> Result<Fit, ReconstructError> {
+    let layout = &problem.layout;
+    let estimated = matches!(options.noise, Noise::Estimated { .. });
+    let Found { optimum, best_start, reports, rivals, restarts } = found;
+    let LocalOptimum { mut evaluation, mut variances, search, objective } = optimum;
+    let parameters = (layout.identifiable() + evaluation.nuisance_rank) as f64;
+    let criterion = objective + PRICE * parameters;
+    let degrees_of_freedom = (residuals - parameters).max(1.0);
+    if estimated {
+        // The restricted likelihood leaves out the excitations; the parameters took their share of the residuals, too.
+        let share = evaluation.cost / degrees_of_freedom;
+        if share > 0.0 && share.is_finite() {
+            variances.iter_mut().for_each(|variance| *variance *= share);
+        }
+    }
+    evaluation.system = evaluation.system.normalised();
+    evaluation = problem.evaluate_again(evaluation, &variances);
+    let mut noise_part = DMatrix::zeros(layout.parameters(), layout.parameters());
+    let cells = layout.local_cells();
+    let hold = problem.tie(&mut evaluation.system);
+    let mut whiteness = Vec::with_capacity(records.len());
+    for (record, source) in records.iter().enumerate() {
+        let sums = problem.record_sums(
+            record,
+            &evaluation.system,
+            &evaluation.coefficients,
+            &variances,
+            Scalars::NoisePart,
+            true,
+        );
+        let tangent = hold.as_ref().map(|hold| hold.tangent(&evaluation.system, record, layout));
+        layout.add(record, tangent.as_ref(), sums.gram_of(&cells), &mut noise_part);
+        whiteness.push(goodness_of_fit::whiteness(
+            source.name(),
+            &problem.spectra[record],
+            sums.spectrum.as_deref().unwrap_or_default(),
+            layout.sensors,
+        ));
+    }
+    let offset_test = if options.measurement.offsets == Offsets::Zero {
+        offset_test(problem, &evaluation, &variances, degrees_of_freedom)
+    } else {
+        None
+    };
+    let parameters = uncertainty::covariance(&evaluation, &noise_part, layout);
+    let period = records[0].period();
+    let n = layout.order;
+    let states = parameters.matrix.view((0, 0), (n * n, n * n)).into_owned();
+    let modes = uncertainty::modes(&evaluation.system.a, period, &states).map_err(|error| {
+        ReconstructError::Step { step: "modes of the fitted system", message: error.to_string() }
+    })?;
+    let noise_levels = match options.noise {
+        Noise::Spectra(_) => None,
+        _ => Some(uncertainty::noise_levels(&evaluation, &variances, units, estimated)),
+    };
+    let record_chi_squared = evaluation
+        .record_costs
+        .iter()
+        .zip(&problem.spectra)
+        .map(|(cost, spectrum)| {
+            cost / (spectrum.residuals(layout.sensors) * degrees_of_freedom / residuals)
+        })
+        .collect();
+    // What is told has an entry of d_j for each sensor that has one, free or not.
+    let untied = layout.untied();
+    let covariance = match &hold {
+        Some(hold) => with_tied(&parameters.matrix, hold, &evaluation.system, layout),
+        None => parameters.matrix,
+    };
+    Ok(Fit {
+        covariance: in_sensor_units(&covariance, units, &untied),
+        model: evaluation.system.model(units, &untied, period),
+        feedthrough_sensors: untied.feedthrough,
+        hold: layout.hold,
+        hold_evidence,
+        criterion,
+        determined: parameters.determined,
+        identifiable: layout.identifiable(),
+        noise_levels,
+        chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),
+        record_chi_squared,
+        whiteness,
+        offset_test,
+        search,
+        starts: reports,
+        best_start,
+        restarts,
+        rivals: rivals
+            .into_iter()
+            .filter_map(|(above, system)| rival(above, &system.a, period))
+            .filter(|rival| !is_this(rival, &modes))
+            .collect(),
+        modes,
+    })
+}
+
+/// Whether a rival is the same system, which its search came less close to.
+fn is_this(rival: &Rival, modes: &[Mode]) -> bool {
+    // The search ends within a thousandth of a deviation, those of rivals within a tenth.
+    const CLOSE: f64 = 0.3;
+    rival.eigenvalues.len() == modes.len()
+        && rival.eigenvalues.iter().zip(modes).all(|(s, mode)| {
+            let deviation = mode.continuous.covariance.trace().sqrt();
+            (s - mode.continuous.value).norm() <= CLOSE * deviation
+        })
+}
+
+/// `None` where the eigenvalues cannot be computed: then nobody can be told of them.
+fn rival(above: f64, a: &DMatrix<f64>, period: SamplePeriod) -> Option<Rival> {
+    let modes = uncertainty::modes(a, period, &DMatrix::zeros(a.len(), a.len())).ok()?;
+    let eigenvalues = modes.into_iter().map(|mode| mode.continuous.value).collect();
+    Some(Rival { above, eigenvalues })
+}
+
+/// The covariance with the entries of d_j that follow from the other parameters.
+fn with_tied(
+    covariance: &DMatrix<f64>,
+    hold: &FirstOrder,
+    system: &System,
+    layout: &Layout,
+) -> DMatrix<f64> {
+    let untied = layout.untied();
+    let mut slopes = DMatrix::zeros(untied.parameters(), layout.parameters());
+    for record in 0..layout.records {
+        let tangent = hold.tangent(system, record, layout);
+        for i in 0..tangent.nrows() {
+            for k in 0..tangent.ncols() {
+                slopes[(untied.global(i, record), layout.global(k, record))] = tangent[(i, k)];
+            }
+        }
+    }
+    &slopes * covariance * slopes.transpose()
+}
+
+fn in_sensor_units(covariance: &DMatrix<f64>, units: &[f64], layout: &Layout) -> DMatrix<f64> {
+    let (n, m) = (layout.order, layout.sensors);
+    let mut scale = DVector::from_element(layout.parameters(), 1.0);
+    for l in 0..n {
+        for s in 0..m {
+            scale[n * n + l * m + s] = units[s];
+        }
+    }
+    for record in 0..layout.records {
+        for (k, &sensor) in layout.feedthrough.iter().enumerate() {
+            scale[layout.shared() + record * layout.per_record() + n + k] = units[sensor];
+        }
+    }
+    DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, k| {
+        covariance[(i, k)] * scale[i] * scale[k]
+    })
+}

@@ -1,0 +1,69 @@
+//! The result: the system, how certain it is, and how the search went.
+
+use nalgebra::DMatrix;
+use num_complex::Complex;
+
+use super::goodness_of_fit::{ChiSquared, Whiteness};
+use super::offset_test::OffsetTest;
+use super::uncertainty::{Estimate, Mode};
+use crate::SharedModel;
+use crate::likelihood::options::Hold;
+use crate::likelihood::search::report::{SearchReport, StartReport};
+
+/// What the likelihood says about several records.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Fit {
+    /// The system, in the sensors' units. In its basis the states of the records have unit second moments; each (b_j, d_j) has unit length, before
+    /// sensors are scaled back.
+    pub model: SharedModel,
+    /// The covariance of A by columns, C by columns, then b_j and the free entries of d_j of each record. It is singular along changes of basis and of
+    /// scale, which it leaves out.
+    pub covariance: DMatrix<f64>,
+    /// The modes with their uncertainty, by real part of the eigenvalue, a complex pair once.
+    pub modes: Vec<Mode>,
+    /// Indices of the sensors with an entry of d_j: those of the options under a zero-order hold, all under a first-order hold.
+    pub feedthrough_sensors: Vec<usize>,
+    /// How the excitation moves between samples: as in the options, or what is more likely.
+    pub hold: Hold,
+    /// Minus twice the logarithm of the other hold's likelihood over this one's, with 2 for each number of a record that one of them has more; at most 20
+    /// where the excitation is held. `None` where the hold was given, or where the search for the other one did not arrive.
+    pub hold_evidence: Option<f64>,
+    /// Minus twice the logarithm of the likelihood, up to a constant of the records and of [`Options::noise`](crate::likelihood::Options::noise), with 2 for each number that was fitted: Akaike's criterion, by
+    /// which fits of several orders or under several holds compare.
+    pub criterion: f64,
+    /// Directions of the parameters that the records determine.
+    pub determined: usize,
+    /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each entry of d_j.
+    pub identifiable: usize,
+    /// Standard deviations of the noise in the sensors' units; `None` where the noise has a spectrum.
+    pub noise_levels: Option<Vec<Estimate>>,
+    /// The size of the residuals.
+    pub chi_squared: ChiSquared,
+    /// The same for each record alone: value per degree of freedom, parameters shared out by numbers of samples.
+    pub record_chi_squared: Vec<f64>,
+    /// Whether the residuals of each record are white.
+    pub whiteness: Vec<Whiteness>,
+    /// Whether the sensors read zero in trim; `None` where the options do not say that they do, or frequency zero is not used.
+    pub offset_test: Option<OffsetTest>,
+    /// How the search ended.
+    pub search: SearchReport,
+    /// Each start that was given, in the order given.
+    pub starts: Vec<StartReport>,
+    /// Index of the start that led here.
+    pub best_start: usize,
+    /// Restarts with a slow mode moved elsewhere that found a better optimum than all starts, in rounds.
+    pub restarts: usize,
+    /// Other local optima that are nearly as likely.
+    pub rivals: Vec<Rival>,
+}
+
+/// Another system that the records allow.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Rival {
+    /// Minus twice the logarithm of its likelihood over the best one's: 6 is a ratio of 1 to 20.
+    pub above: f64,
+    /// Its eigenvalues in rad/s, a complex pair once.
+    pub eigenvalues: Vec<Complex<f64>>,
+}

@@ -1,0 +1,49 @@
+//! The problem of a fit that is finished, for what is asked of it afterwards.
+
+use realfft::RealFftPlanner;
+
+use super::fit::Fit;
+use crate::likelihood::cost::evaluation::{Evaluation, Problem};
+use crate::likelihood::cost::parameters::System;
+use crate::likelihood::cost::spectrum::{sensor_units, transform};
+use crate::likelihood::options::{Noise, Options};
+use crate::likelihood::validation;
+use crate::{ReconstructError, Record};
+
+/// A fit's problem with the noise as the fit knows it, in sensors of unit noise.
+pub(crate) struct Finished {
+    pub(crate) problem: Problem,
+    /// At the fitted system.
+    pub(crate) evaluation: Evaluation,
+    /// The unit of each scaled sensor.
+    pub(crate) units: Vec<f64>,
+}
+
+pub(crate) fn finished(
+    records: &[Record],
+    fit: &Fit,
+    options: &Options,
+    planner: &mut RealFftPlanner<f64>,
+) -> Result<Finished, ReconstructError> {
+    let known = with_known_noise(fit, options);
+    let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
+    let units = sensor_units(records, &known);
+    let spectra = records
+        .iter()
+        .enumerate()
+        .map(|(index, record)| transform(record, index, &units, &known, planner))
+        .collect::<Result<Vec<_>, _>>()?;
+    let problem = Problem { layout, spectra, threads: options.threads };
+    let system = System::scaled(&fit.model, &units, &problem.layout);
+    let evaluation = problem.evaluate(system, &vec![1.0; units.len()]);
+    Ok(Finished { problem, evaluation, units })
+}
+
+/// The options of a fit with noise levels and hold as it knows them.
+fn with_known_noise(fit: &Fit, options: &Options) -> Options {
+    let mut known = Options { hold: Some(fit.hold), ..options.clone() };
+    if let (Noise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
+        known.noise = Noise::Given(levels.iter().map(|level| level.value).collect());
+    }
+    known
+}

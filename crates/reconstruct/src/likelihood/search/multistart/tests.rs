@@ -1,0 +1,39 @@
+use num_complex::Complex;
+
+use super::*;
+use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
+use crate::likelihood::{Noise, identify};
+
+/// Starts with the slow mode decaying over a thirtieth of the record.
+#[test]
+fn slow_modes_are_found_on_the_other_side() {
+    let samples = 600;
+    let slow = (2.0 / 600.0_f64).exp();
+    let eigenvalues = [Complex::new(0.95, 0.17), Complex::new(0.9, 0.0), Complex::new(slow, 0.0)];
+    let disturbance = Disturbance { noise: 0.1, offset: 0.0, trend: 0.0, known: 0.0 };
+    let (mut higher, mut told) = (0, 0);
+    for seed in 1..=12 {
+        let mut normal = Normal::new(seed);
+        let truth = system(&eigenvalues, 3, 2, &mut normal);
+        let flights = fly(&truth, &[samples, samples], &disturbance, &mut normal);
+        let mut start = truth.clone();
+        let moved = slow_mode_restarts::moved(&truth.a, 600.0);
+        for elsewhere in &moved {
+            if elsewhere.eigenvalue < 0.96 {
+                start.a.clone_from(&elsewhere.a);
+            }
+        }
+        let mut options =
+            Options { noise: Noise::Given(flights.levels.clone()), ..Options::default() };
+        let moving = identify(&flights.records, std::slice::from_ref(&start), &options).unwrap();
+        options.search.max_restarts = 0;
+        let still = identify(&flights.records, &[start], &options).unwrap();
+        assert_eq!(still.restarts, 0);
+        let (with, without) = (moving.chi_squared.value, still.chi_squared.value);
+        assert!(with <= without + SAME_OPTIMUM, "seed {seed}: {with} {without}");
+        higher += usize::from(with < without - 1.0);
+        told += usize::from(moving.restarts > 0);
+        assert!(moving.rivals.iter().all(|rival| rival.above >= 0.0 && rival.above < RIVAL));
+    }
+    assert!(higher > 0 && told >= higher, "{higher} {told}");
+}

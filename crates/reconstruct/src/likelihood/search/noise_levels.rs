@@ -1,0 +1,44 @@
+//! Noise levels by restricted likelihood: the excitation takes one direction of the sensors at each frequency, and the rest tells the noise.
+//!
+//! With N an orthonormal complement of g, the residual N^H e has covariance N^H S N, S = diag s^2, and
+//!
+//! sum of w [ln det (N^H S N) + e^H N (N^H S N)^-1 N^H e]
+//!
+//! is minimised over the variances. N (N^H S N)^-1 N^H is the Phi of `sums.rs`; so the gradient is the sum of w (Phi_ii - |(Phi e)_i|^2), the expected
+//! curvature that of w |Phi_il|^2, and one scoring step solves for the change of the variances.
+
+use nalgebra::DVector;
+
+use crate::likelihood::cost::evaluation::Evaluation;
+
+/// The variances after one scoring step, and the largest change of the logarithm of one.
+pub(crate) fn updated(evaluation: &Evaluation, variances: &[f64]) -> (Vec<f64>, f64) {
+    // One step changes a variance at most by this factor; noise-free records would send it to zero at once.
+    const LARGEST_FACTOR: f64 = 100.0;
+    // In units of the first guess squared: rounding errors of a sensor lie above it.
+    const LEAST: f64 = 1e-24;
+    let step = evaluation
+        .information
+        .clone()
+        .lu()
+        .solve(&evaluation.score)
+        .filter(|step| step.iter().all(|entry| entry.is_finite()))
+        .unwrap_or_else(|| DVector::zeros(variances.len()));
+    let next: Vec<f64> = variances
+        .iter()
+        .zip(step.iter())
+        .map(|(&variance, step)| {
+            let (low, high) = (variance / LARGEST_FACTOR, variance * LARGEST_FACTOR);
+            (variance + step).clamp(low, high).max(LEAST)
+        })
+        .collect();
+    let change = next
+        .iter()
+        .zip(variances)
+        .map(|(next, variance)| (next / variance).ln().abs())
+        .fold(0.0, f64::max);
+    (next, change)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,18 @@
+//! What do the records hold, and what do they have in common? Records, the system that they share, and what is known about their noise.
+
+pub(crate) mod in_order;
+pub(crate) mod known_inputs;
+pub(crate) mod matching;
+mod measurement;
+mod noise_model;
+pub(crate) mod noise_spectrum;
+pub(crate) mod record;
+mod shared_model;
+mod vector_autoregression;
+
+pub use measurement::{Measurement, Offsets, Trend};
+pub use noise_model::NoiseModel;
+pub use noise_spectrum::NoiseSpectrum;
+pub use record::{Channel, Record};
+pub use shared_model::SharedModel;
+pub use vector_autoregression::{AutoregressionOrder, VectorAutoregression};
