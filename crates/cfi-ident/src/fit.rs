@@ -195,7 +195,7 @@ impl Fit {
         solution: &Solution,
     ) -> Result<Self, FitError> {
         let degrees_of_freedom = counts.equations - solution.rank;
-        let free = (degrees_of_freedom > 0).then(|| count(degrees_of_freedom));
+        let free = (degrees_of_freedom > 0).then(|| degrees_of_freedom as f64);
         let deviation = free.map_or(0.0, |free| solution.residual_norm / free.sqrt());
         // Deviation over norm first: each alone may be near the end of the range.
         let unit = |(factor, exponent): &(f64, i32)| {
@@ -205,7 +205,7 @@ impl Fit {
         Ok(Self {
             model: CfiModel::from_theta(*structure, &solution.theta)?,
             residual_norm: solution.residual_norm,
-            residual_rms: solution.residual_norm / count(counts.equations).sqrt(),
+            residual_rms: solution.residual_norm / (counts.equations as f64).sqrt(),
             relative_residual: solution.relative_residual,
             rank: solution.rank,
             condition: solution.condition,
@@ -246,10 +246,4 @@ fn unidentifiable(structure: &Structure, solution: &Solution) -> Option<Unidenti
         directions,
         parameters: named.filter_map(|(name, part)| part.then_some(name)).collect(),
     })
-}
-
-/// A count as a number.
-#[expect(clippy::cast_precision_loss, reason = "counts of samples stay far below 2^53")]
-pub(crate) fn count(n: usize) -> f64 {
-    n as f64
 }

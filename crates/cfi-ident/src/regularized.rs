@@ -80,7 +80,7 @@ impl Regularization {
 
 /// rho^-|i|
 fn weight(decay: f64, index: usize) -> f64 {
-    decay.powf(-crate::fit::count(index))
+    decay.powf(-(index as f64))
 }
 
 /// When the solver stops.

@@ -9,7 +9,6 @@ use crate::{
     Gram, HankelError,
     scale::{exponent, power_of_two},
     sums::times,
-    tile::count,
 };
 
 mod null_space;
@@ -76,7 +75,7 @@ impl Gram {
             });
         }
         let size = self.shape().0;
-        let level = (count(size) * self.rounding()).sqrt();
+        let level = (size as f64 * self.rounding()).sqrt();
         // Powers of two that bring the diagonal to 1 .. 4.
         let halves: Vec<i32> = (0..size)
             .map(|i| match self.at(i, i).value() {

@@ -7,7 +7,6 @@ use crate::{
     HankelError, Layout,
     scale::{power_of_two, scaled},
     sums::{Sums, times},
-    tile::count,
 };
 
 /// A Gram matrix `X' X`, or a cross product `L' R`, each entry an unevaluated sum of two doubles.
@@ -170,7 +169,7 @@ impl Gram {
     /// Means of the left columns, in the units of the record.
     #[must_use]
     pub fn means(&self) -> DVector<f64> {
-        let rows = count(self.rows);
+        let rows = self.rows as f64;
         let means = self.left_sums.iter().zip(&self.left_exponents);
         DVector::from_iterator(
             self.left_exponents.len(),
@@ -195,7 +194,7 @@ impl Gram {
     /// ```
     #[must_use]
     pub fn centred(&self) -> Self {
-        let rows = DoubleDouble::from(count(self.rows));
+        let rows = DoubleDouble::from(self.rows as f64);
         let (height, width) = self.shape();
         let mut centred = self.clone();
         for j in 0..width {

@@ -184,7 +184,6 @@ fn refined(
     if value.im == 0.0 {
         correction.im = 0.0;
     }
-    #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
     let explained = 100.0 * a.nrows() as f64 * f64::EPSILON * norm * condition;
     let candidate = value + correction;
     // A pair stays a pair.

@@ -171,12 +171,10 @@ fn extra_squarings(a: &DMatrix<f64>, degree: usize) -> usize {
     // 1 / |c_2m+1| = binomial(2m, m) (2m + 1)!
     let mut reciprocal = 1.0;
     for k in 1..=degree {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let (k, m) = (k as f64, degree as f64);
         reciprocal *= (m + k) / k;
     }
     for k in 1..=2 * degree + 1 {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let k = k as f64;
         reciprocal *= k;
     }
@@ -186,7 +184,6 @@ fn extra_squarings(a: &DMatrix<f64>, degree: usize) -> usize {
     for _ in 0..2 * degree + 1 {
         row = &row * &unit;
     }
-    #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
     let power = 2.0 * degree as f64;
     let log_alpha = row.amax().log2() + power * norm.log2() - f64::log2(reciprocal);
     ceil_log2_of_log((log_alpha + 53.0) / power)
@@ -230,7 +227,6 @@ fn add_to_diagonal(matrix: &mut DMatrix<f64>, value: f64) {
 fn pade_coefficients(degree: usize) -> Vec<f64> {
     let mut coefficients = vec![1.0];
     for k in 1..=degree {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let ratio = (degree + 1 - k) as f64 / ((2 * degree + 1 - k) as f64 * k as f64);
         coefficients.push(coefficients[k - 1] * ratio);
     }

@@ -67,7 +67,6 @@ impl Rosenbrock {
     /// The reduction; `None` as tolerance stands for the rounding level.
     pub(crate) fn reduce(&self, tolerance: Option<f64>) -> Result<Reduced, LtiError> {
         let (n, rows, columns) = (self.states, self.matrix.nrows(), self.matrix.ncols());
-        #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
         let tolerance = tolerance.unwrap_or(rows.max(columns) as f64 * f64::EPSILON);
         let mut ranks = Ranks {
             level: tolerance * self.norm,

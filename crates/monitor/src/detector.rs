@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use crate::features::{Features, features};
 use crate::statistics::Healthy;
-use crate::{Link, MonitorError, Stretch, Test, Whitening, Window, count, runs};
+use crate::{Link, MonitorError, Stretch, Test, Whitening, Window, runs};
 
 /// The weight of the newest window in the mean that the next one is compared with: it remembers about five.
 const WEIGHT: f64 = 0.2;
@@ -163,7 +163,7 @@ fn check<'a>(
         return Err(MonitorError::NoLink);
     }
     if options.window < 2 {
-        let (what, value) = ("the window", count(options.window));
+        let (what, value) = ("the window", options.window as f64);
         return Err(MonitorError::BadOption { what, value, needed: "at least 2 samples" });
     }
     if options.false_alarms.is_nan() || options.false_alarms <= 0.0 || options.false_alarms >= 0.5 {
@@ -211,7 +211,7 @@ impl Baseline {
     /// How far a window's level is off the mean of those before, divided so that its variance is that of a window; nothing for the first one.
     fn jump(&mut self, level: &DVector<f64>) -> Option<DVector<f64>> {
         self.windows += 1;
-        let weight = WEIGHT.max(1.0 / count(self.windows));
+        let weight = WEIGHT.max(1.0 / self.windows as f64);
         let variance = self.variance;
         self.variance = (1.0 - weight).powi(2) * variance + weight * weight;
         let Some(mean) = &mut self.mean else {

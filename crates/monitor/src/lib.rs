@@ -51,9 +51,3 @@ pub use window::{Test, TestKind, Window};
 
 /// A stretch of a record without gaps: one slice for each channel, equally long.
 pub type Stretch<'a> = Vec<&'a [f64]>;
-
-/// A count as a number.
-#[expect(clippy::cast_precision_loss, reason = "counts of samples stay far below 2^53")]
-pub(crate) fn count(number: usize) -> f64 {
-    number as f64
-}

@@ -12,7 +12,6 @@ use super::{
 use crate::{
     CfiModel, FitError, Parameter, Segment, Structure,
     factor::Factor,
-    fit::count,
     gram::{Reduced, reduce},
     regressors::{Counts, check, scale},
     triangle::Triangle,
@@ -185,7 +184,7 @@ impl Penalised {
             penalty,
             relative_gap: if objective > 0.0 { gap / objective } else { 0.0 },
             residual_norm,
-            residual_rms: residual_norm / count(self.counts.equations).sqrt(),
+            residual_rms: residual_norm / (self.counts.equations as f64).sqrt(),
             relative_residual,
             status: solution.status,
             iterations: solution.iterations,
@@ -207,7 +206,7 @@ impl Penalised {
         }
         triangle.absorb(&mut block);
         let factor =
-            Factor::new(&triangle, f64::EPSILON * count(self.counts.equations.max(parameters)))?;
+            Factor::new(&triangle, f64::EPSILON * self.counts.equations.max(parameters) as f64)?;
         let variables = factor.solve(&triangle.right_hand_side()).as_slice().to_vec();
         Ok(Solution { variables, dual_objective: 0.0, status: Status::Solved, iterations: 0 })
     }

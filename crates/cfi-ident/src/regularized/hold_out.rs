@@ -1,7 +1,7 @@
 //! The weight of the penalty, given or chosen on samples that the fit has not seen.
 
 use super::{Regularization, Settings, fit::Penalised};
-use crate::{FitError, Segment, Structure, fit::count};
+use crate::{FitError, Segment, Structure};
 
 /// The weight of the penalty.
 ///
@@ -103,7 +103,7 @@ pub(crate) fn choose(
                     number += residuals.len();
                     squares += residuals.iter().map(|x| x * x).sum::<f64>();
                 }
-                Some((squares / count(number)).sqrt())
+                Some((squares / number as f64).sqrt())
             }
             Err(error @ FitError::Unsolved { .. }) => {
                 failure = Some(error);
@@ -135,5 +135,5 @@ pub(crate) fn choose(
     reason = "the product is between 0 and the number of samples"
 )]
 fn cut(samples: usize, fraction: f64) -> usize {
-    ((count(samples) * (1.0 - fraction)).round() as usize).min(samples)
+    ((samples as f64 * (1.0 - fraction)).round() as usize).min(samples)
 }

@@ -64,7 +64,7 @@ pub(crate) fn describe(p: &mut ScaledPoly, z: Complex<f64>) -> Root {
     let exponent = ScaledPoly::exponent(z);
     let y = scale_by_power(z, -exponent);
     let at = p.evaluate(y, exponent, Precision::Doubled);
-    let degree = u32::try_from(p.degree()).map_or(f64::INFINITY, f64::from);
+    let degree = p.degree() as f64;
     let slope = at.derivative.norm();
     let radius = degree * (at.value.norm() + at.bound) / slope;
     Root {

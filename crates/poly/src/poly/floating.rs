@@ -14,10 +14,6 @@ const COMPLEX_PRODUCT: f64 = 2.24;
 /// Error of one doubled-precision complex step of Horner's rule, in squares of the unit roundoff, rounded up.
 const DOUBLED_STEP: f64 = 32.0;
 
-fn count(n: usize) -> f64 {
-    u32::try_from(n).map_or(f64::INFINITY, f64::from)
-}
-
 /// Horner's rule with a running error bound; the first error factor belongs to one product.
 pub(crate) fn horner_with_bound(
     coefficients: &[Complex<f64>],
@@ -32,7 +28,7 @@ pub(crate) fn horner_with_bound(
         value = product + c;
         error = modulus * error + product_error * product.norm() + value.norm();
     }
-    let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * count(coefficients.len());
+    let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * coefficients.len() as f64;
     Evaluation { value, error_bound: UNIT_ROUNDOFF * error * slack }
 }
 
@@ -58,7 +54,7 @@ pub(crate) fn horner_doubled(
 /// Bound on the error of [`horner_doubled`]'s value before it is rounded to a float.
 pub(crate) fn doubled_bound(coefficients: &[Complex<f64>], modulus: f64) -> f64 {
     DOUBLED_STEP
-        * count(coefficients.len())
+        * coefficients.len() as f64
         * UNIT_ROUNDOFF
         * UNIT_ROUNDOFF
         * absolute_sum(coefficients, modulus)
@@ -100,7 +96,7 @@ impl Poly<f64> {
             value = product + c;
             error = modulus * error + product.abs() + value.abs();
         }
-        let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * count(self.coefficients.len());
+        let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * self.coefficients.len() as f64;
         Evaluation { value, error_bound: UNIT_ROUNDOFF * error * slack }
     }
 
@@ -126,7 +122,7 @@ impl Poly<f64> {
             sum = sum * x.abs() + c.abs();
         }
         let value = value.value();
-        let tail = DOUBLED_STEP * count(self.coefficients.len()) * UNIT_ROUNDOFF * UNIT_ROUNDOFF;
+        let tail = DOUBLED_STEP * self.coefficients.len() as f64 * UNIT_ROUNDOFF * UNIT_ROUNDOFF;
         Evaluation { value, error_bound: UNIT_ROUNDOFF * value.abs() + tail * sum }
     }
 
