@@ -1,15 +1,11 @@
 //! Cholesky's factorisation in doubled precision, with pivoting, and what it says about rank and condition.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, exponent, power_of_two};
 use faer::MatRef;
 use nalgebra::DMatrix;
 use pulp::Arch;
 
-use crate::{
-    Gram, HankelError,
-    scale::{exponent, power_of_two},
-    sums::times,
-};
+use crate::{Gram, HankelError, sums::times};
 
 mod null_space;
 mod pivoting;

@@ -1,11 +1,10 @@
 //! The result: a matrix of products in doubled precision.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, power_of_two, times_power_of_two};
 use nalgebra::{DMatrix, DVector};
 
 use crate::{
     HankelError, Layout,
-    scale::{power_of_two, scaled},
     sums::{Sums, times},
 };
 
@@ -157,7 +156,10 @@ impl Gram {
     pub fn matrix(&self) -> Result<DMatrix<f64>, HankelError> {
         let (height, width) = self.shape();
         let matrix = DMatrix::from_fn(height, width, |i, j| {
-            scaled(self.at(i, j).value(), self.left_exponents[i] + self.right_exponents[j])
+            times_power_of_two(
+                self.at(i, j).value(),
+                self.left_exponents[i] + self.right_exponents[j],
+            )
         });
         if matrix.iter().all(|x| x.is_finite()) {
             Ok(matrix)
@@ -173,7 +175,7 @@ impl Gram {
         let means = self.left_sums.iter().zip(&self.left_exponents);
         DVector::from_iterator(
             self.left_exponents.len(),
-            means.map(|(sum, exponent)| scaled(sum.value() / rows, *exponent)),
+            means.map(|(sum, exponent)| times_power_of_two(sum.value() / rows, *exponent)),
         )
     }
 

@@ -56,7 +56,6 @@ mod layout;
 mod least_squares;
 mod plan;
 mod residual;
-mod scale;
 mod scan;
 mod segment;
 mod sums;

@@ -1,11 +1,10 @@
 //! Sums of products of two channels, each in units of two to the sum of the channels' exponents.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, power_of_two};
 
 use crate::{
     kernel::CHUNK_ERROR,
     plan::{BLOCK, Plan},
-    scale::power_of_two,
     tile::TileSums,
 };
 

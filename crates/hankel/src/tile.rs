@@ -1,11 +1,11 @@
 //! One tile of a segment: its samples scaled below one, and the lag products over them.
 
+use doubled::{exponent, power_of_two};
 use pulp::Arch;
 
 use crate::{
     kernel::{BACK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
     plan::{BLOCK, Plan},
-    scale::{exponent, power_of_two},
     scan::{AllFinite, Largest, Multiply},
 };
 

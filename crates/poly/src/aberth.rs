@@ -12,6 +12,7 @@ mod tests;
 use crate::PolyError;
 use crate::newton_polygon::NewtonPolygon;
 use crate::poly::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
+use doubled::times_power_of_two;
 use num_complex::Complex;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -63,16 +64,9 @@ pub(crate) enum Precision {
 
 /// `x 2^exponent` without overflow on the way.
 pub(crate) fn scale_by_power(x: C, exponent: i64) -> C {
-    let mut rest = exponent.clamp(-4000, 4000);
-    let mut x = x;
-    while rest != 0 {
-        let step = rest.clamp(-1000, 1000);
-        #[expect(clippy::cast_possible_truncation, reason = "clamped to -1000..1000")]
-        let factor = 2f64.powi(step as i32);
-        x *= factor;
-        rest -= step;
-    }
-    x
+    // Farther than from one end of the range to the other, so that an exponent beyond changes nothing.
+    let exponent = i32::try_from(exponent.clamp(-4000, 4000)).expect("clamped");
+    C::new(times_power_of_two(x.re, exponent), times_power_of_two(x.im, exponent))
 }
 
 /// Binary logarithm of the modulus; minus infinity for zero.

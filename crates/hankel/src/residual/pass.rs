@@ -1,6 +1,6 @@
 //! One pass over the data: residual and gradient, tile by tile.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, exponent, power_of_two, times_power_of_two};
 use pulp::Arch;
 
 use crate::{
@@ -10,7 +10,6 @@ use crate::{
     kernel::{BACK, FRONT, LagProducts, SLACK, TILE},
     layout::signed,
     plan::BLOCK,
-    scale::{exponent, power_of_two, scaled},
     scan::AllFinite,
     sums::times,
     tile::normalised,
@@ -231,7 +230,7 @@ impl Bench {
         let terms: Vec<Term<'_>> = weighted
             .iter()
             .map(|(channel, start, weight, exponent)| Term {
-                weight: scaled(*weight, exponent - largest),
+                weight: times_power_of_two(*weight, exponent - largest),
                 samples: &self.samples[*channel],
                 start: *start,
             })
