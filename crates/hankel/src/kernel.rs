@@ -20,7 +20,8 @@ use std::ops::Range;
 
 use pulp::{Simd, WithSimd};
 
-use crate::plan::BLOCK;
+/// Lags are summed in blocks of this many neighbours, one to a vector lane: a multiple of every vector width.
+pub(crate) const BLOCK: usize = 8;
 
 /// Products between two emptyings of the biased sums. Fewer lose less, but empty more often.
 pub(crate) const CHUNK: usize = 128;

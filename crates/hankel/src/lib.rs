@@ -46,6 +46,7 @@
 
 mod accumulator;
 mod cholesky;
+mod column;
 mod combination;
 mod error;
 mod gaps;
@@ -63,8 +64,9 @@ mod tile;
 
 pub use accumulator::{Accumulator, Options, Seam, gram};
 pub use cholesky::Cholesky;
+pub use column::Column;
 pub use error::HankelError;
 pub use gaps::Missing;
 pub use gram::Gram;
-pub use layout::{Column, Layout};
+pub use layout::Layout;
 pub use least_squares::{LeastSquares, Refinement};

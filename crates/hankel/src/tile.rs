@@ -4,8 +4,8 @@ use doubled::{exponent, power_of_two};
 use pulp::Arch;
 
 use crate::{
-    kernel::{BACK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
-    plan::{BLOCK, Plan},
+    kernel::{BACK, BLOCK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
+    plan::Plan,
     scan::{AllFinite, Largest, Multiply},
 };
 

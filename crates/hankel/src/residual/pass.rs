@@ -4,12 +4,11 @@ use doubled::{DoubleDouble, exponent, power_of_two, times_power_of_two};
 use pulp::Arch;
 
 use crate::{
-    Column, Layout, LeastSquares,
+    Layout, LeastSquares,
+    column::{Column, signed},
     combination::{Combination, ROWS, Term},
     in_order::in_order,
-    kernel::{BACK, FRONT, LagProducts, SLACK, TILE},
-    layout::signed,
-    plan::BLOCK,
+    kernel::{BACK, BLOCK, FRONT, LagProducts, SLACK, TILE},
     scan::AllFinite,
     sums::times,
     tile::normalised,
