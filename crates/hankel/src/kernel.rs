@@ -35,6 +35,9 @@ const REACH: usize = 64;
 /// Samples m of a tile. With the lags of a typical batch it fills whole chunks, and its buffers fit the first cache.
 pub(crate) const TILE: usize = 2048 - REACH;
 
+/// Fewer tiles than this are not worth a thread.
+pub(crate) const TILES_A_THREAD: usize = 4;
+
 /// Zeros in front of the tile in the buffer of x.
 pub(crate) const FRONT: usize = CHUNK + REACH;
 

@@ -15,6 +15,7 @@
 //! | factorise; rank, condition, covariance | [`Gram::cholesky`], [`Cholesky`] |
 //! | explain one column by the others | [`Gram::least_squares`], [`LeastSquares`] |
 //! | remove what the Gram matrix cannot see | [`LeastSquares::refined`] |
+//! | share other sums between threads, with the same bits for any number of them | [`in_order()`], [`Sharing`] |
 //!
 //! # Numerics
 //!
@@ -68,5 +69,6 @@ pub use column::Column;
 pub use error::HankelError;
 pub use gaps::Missing;
 pub use gram::Gram;
+pub use in_order::{Sharing, in_order};
 pub use layout::Layout;
 pub use least_squares::{LeastSquares, Refinement};

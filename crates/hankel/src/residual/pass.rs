@@ -7,8 +7,8 @@ use crate::{
     Layout, LeastSquares,
     column::{Column, signed},
     combination::{Combination, ROWS, Term},
-    in_order::in_order,
-    kernel::{BACK, BLOCK, FRONT, LagProducts, SLACK, TILE},
+    in_order::{Sharing, in_order},
+    kernel::{BACK, BLOCK, FRONT, LagProducts, SLACK, TILE, TILES_A_THREAD},
     scan::AllFinite,
     sums::times,
     tile::normalised,
@@ -70,7 +70,8 @@ impl Pass<'_> {
             let mut bench = Bench::new(self.layout, self.fit.target);
             jobs.iter().map(|job| bench.part(self, solution, job, arch)).collect()
         };
-        in_order(&jobs, self.threads, work, |part| {
+        let sharing = Sharing { threads: self.threads, least: TILES_A_THREAD };
+        in_order(&jobs, sharing, work, |part| {
             squares += DoubleDouble::from(part.squares);
             for (sum, new) in gradient.iter_mut().zip(&part.gradient) {
                 *sum += *new;
