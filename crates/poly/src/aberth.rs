@@ -11,7 +11,7 @@ mod tests;
 
 use crate::PolyError;
 use crate::newton_polygon::NewtonPolygon;
-use crate::poly::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
+use crate::poly::floating::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
 use doubled::times_power_of_two;
 use num_complex::Complex;
 use std::collections::BTreeMap;

@@ -7,8 +7,9 @@
 //! nearest polynomial explains the coefficients within their error, and whose clusters stand apart.
 
 use super::common_factor;
+use super::multiset::Root;
+use super::options::MrootsOptions;
 use super::pejorative::{Fit, Multiple, Target};
-use super::{MrootsOptions, Root};
 use crate::aberth::{ScaledPoly, scale_by_power};
 use num_complex::Complex;
 
