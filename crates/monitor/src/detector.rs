@@ -4,7 +4,8 @@ use nalgebra::DVector;
 
 use crate::features::{Features, features};
 use crate::statistics::Healthy;
-use crate::{Link, MonitorError, Stretch, Test, Whitening, Window, runs};
+use crate::stretch::longest_run;
+use crate::{Link, MonitorError, Stretch, Test, Whitening, Window};
 
 /// The weight of the newest window in the mean that the next one is compared with: it remembers about five.
 const WEIGHT: f64 = 0.2;
@@ -66,7 +67,7 @@ impl Detector {
         let channels = healthy.iter().map(Vec::len).min().unwrap_or(0);
         let longest = |channel: usize| {
             let runs = healthy.iter().chain(training).filter_map(|stretch| stretch.get(channel));
-            runs.map(|values| runs::longest(values)).max().unwrap_or(1)
+            runs.map(|values| longest_run(values)).max().unwrap_or(1)
         };
         Ok(Self {
             longest_run: (0..channels).map(longest).collect(),

@@ -1,7 +1,8 @@
 //! What kind of change an alarm is, since when, and in which sensor.
 
 use crate::attribution::{farthest, raised, suspects};
-use crate::{Detector, MonitorError, Stretch, TestKind, Window, runs};
+use crate::stretch::first_run_beyond;
+use crate::{Detector, MonitorError, Stretch, TestKind, Window};
 
 /// A run of equal values is a freeze if it is longer than this many times the longest healthy one, and this many samples.
 const FREEZE_FACTOR: usize = 2;
@@ -99,7 +100,7 @@ impl Detector {
         let begin = |(channel, longest): (usize, &usize)| {
             let usual = (FREEZE_FACTOR * longest).max(FREEZE_SAMPLES);
             let values = stretch.get(channel)?;
-            let run = runs::first_beyond(values, usual, window.first)?;
+            let run = first_run_beyond(values, usual, window.first)?;
             Some((run.start, channel))
         };
         let earliest = self.longest_run().iter().enumerate().filter_map(begin).min();
