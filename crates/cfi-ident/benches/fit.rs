@@ -5,18 +5,18 @@
 use cfi_ident::{ConstantTerm, Engine, Fit, FitOptions, Orders, Segment, Structure, fit};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 
 fn main() {
     divan::main();
 }
 
-/// A pseudo input of uniform noise; the pseudo output is its fading sum with noise of its own, so that all parameters are determined.
+/// A pseudo input of white noise; the pseudo output is its fading sum with noise of its own, so that all parameters are determined.
 fn record(samples: usize) -> [Vec<f64>; 2] {
-    let mut state = 1_u32;
-    let mut noise = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(state) / f64::from(u32::MAX) - 0.5
-    };
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
     let input: Vec<f64> = (0..samples).map(|_| noise()).collect();
     let mut sum = 0.0;
     let mut fading = |x: &f64| {

@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector};
 use crate::{
     FitError, FitOptions, Refinement, Segment, Structure,
     factor::Factor,
-    fit::count,
     regressors::{Channel, Column, columns, exponent, scale},
     solution::Solution,
     triangle::Triangle,
@@ -23,7 +22,7 @@ pub(crate) fn solve(
     let rows = Rows::new(segments, structure);
     let triangle = rows.triangle();
     let parameters = triangle.columns();
-    let rounding = f64::EPSILON * count(triangle.rows().max(parameters));
+    let rounding = f64::EPSILON * triangle.rows().max(parameters) as f64;
     let factor = Factor::new(&triangle, options.rank_tolerance.unwrap_or(rounding))?;
     let scaled = factor.solve(&triangle.right_hand_side());
     let theta: Vec<f64> = scaled

@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`DoubleDouble`] | a real number `high + low`; exact sums and products of two doubles, `+ - * /`, square root |
 //! | [`DoubleDoubleComplex`] | a complex number with such parts; exact products of doubles, `+ - *` |
+//! | [`exponent`], [`power_of_two`], [`times_power_of_two`] | exact scaling of doubles, from one end of their range to the other |
 //!
 //! Residuals, sums that cancel and polynomial coefficients are computed in it and rounded to a double once.
 //!
@@ -62,7 +63,9 @@ mod double_double;
 #[cfg(test)]
 mod exact;
 mod operators;
+mod power_of_two;
 
 pub use complex::DoubleDoubleComplex;
 pub use double_double::DoubleDouble;
 pub use num_complex::Complex;
+pub use power_of_two::{exponent, power_of_two, times_power_of_two};

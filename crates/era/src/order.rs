@@ -115,8 +115,8 @@ impl Floor {
         magnitude: f64,
         noise: Option<f64>,
     ) -> Self {
-        let spread = to_f64(rows).sqrt() * to_f64(columns).sqrt();
-        let sums = to_f64(rows.max(columns)) * f64::EPSILON * largest_singular_value;
+        let spread = (rows as f64).sqrt() * (columns as f64).sqrt();
+        let sums = rows.max(columns) as f64 * f64::EPSILON * largest_singular_value;
         let rounding = sums.max(spread * f64::EPSILON * magnitude);
         let noise = noise.map_or(0.0, |level| spread * level);
         if noise > rounding {
@@ -128,7 +128,7 @@ impl Floor {
 
     /// The uncertainty of one entry that makes this floor.
     pub(crate) fn of_one_entry(self, rows: usize, columns: usize) -> f64 {
-        self.value / (to_f64(rows).sqrt() * to_f64(columns).sqrt())
+        self.value / ((rows as f64).sqrt() * (columns as f64).sqrt())
     }
 
     fn limited(self, requested: usize) -> OrderReason {
@@ -139,12 +139,6 @@ impl Floor {
             FloorOrigin::Noise => OrderReason::LimitedByNoise { requested, floor: self.value },
         }
     }
-}
-
-/// A count as a number; exact below 2^53, which no count in memory reaches.
-#[expect(clippy::cast_precision_loss, reason = "counts of matrix rows are far below 2^53")]
-pub(crate) fn to_f64(count: usize) -> f64 {
-    count as f64
 }
 
 impl Order {

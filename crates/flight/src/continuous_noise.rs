@@ -42,7 +42,6 @@ impl ContinuousNoise {
             let (order, inputs) = (system.order(), system.inputs());
             return Err(FlightError::NoSuchInput { order, inputs, input: 0 });
         }
-        #[expect(clippy::cast_precision_loss, reason = "twenty")]
         let step = SamplePeriod::new(period.seconds() / SUBSTEPS as f64).map_err(fault)?;
         Ok(Self { fine: system.zoh(step).map_err(fault)? })
     }

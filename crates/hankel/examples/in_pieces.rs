@@ -5,15 +5,17 @@
 use std::io::Write;
 
 use hankel::{Accumulator, Layout, Missing, Options};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A damped oscillation that is struck again and again: x(k+2) = a x(k+1) + b x(k) + w(k).
     let (a, b) = (1.95, -0.98);
     let mut state = [0.0, 0.0];
-    let mut seed = 1_u32;
+    let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut sample = move || {
-        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let strike = f64::from(seed >> 16) / 65_536.0 - 0.5;
+        let strike: f64 = StandardNormal.sample(&mut random);
         state = [state[1], a * state[1] + b * state[0] + strike];
         state[1]
     };

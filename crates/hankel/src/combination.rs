@@ -4,7 +4,7 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::{kernel::two_sum, plan::BLOCK};
+use crate::kernel::{BLOCK, two_sum};
 
 /// Vectors of rows that are worked on together: enough independent sums to hide the latency of one.
 const UNROLL: usize = 8;

@@ -1,13 +1,11 @@
 //! The result: a matrix of products in doubled precision.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, power_of_two, times_power_of_two};
 use nalgebra::{DMatrix, DVector};
 
 use crate::{
     HankelError, Layout,
-    scale::{power_of_two, scaled},
     sums::{Sums, times},
-    tile::count,
 };
 
 /// A Gram matrix `X' X`, or a cross product `L' R`, each entry an unevaluated sum of two doubles.
@@ -158,7 +156,10 @@ impl Gram {
     pub fn matrix(&self) -> Result<DMatrix<f64>, HankelError> {
         let (height, width) = self.shape();
         let matrix = DMatrix::from_fn(height, width, |i, j| {
-            scaled(self.at(i, j).value(), self.left_exponents[i] + self.right_exponents[j])
+            times_power_of_two(
+                self.at(i, j).value(),
+                self.left_exponents[i] + self.right_exponents[j],
+            )
         });
         if matrix.iter().all(|x| x.is_finite()) {
             Ok(matrix)
@@ -170,11 +171,11 @@ impl Gram {
     /// Means of the left columns, in the units of the record.
     #[must_use]
     pub fn means(&self) -> DVector<f64> {
-        let rows = count(self.rows);
+        let rows = self.rows as f64;
         let means = self.left_sums.iter().zip(&self.left_exponents);
         DVector::from_iterator(
             self.left_exponents.len(),
-            means.map(|(sum, exponent)| scaled(sum.value() / rows, *exponent)),
+            means.map(|(sum, exponent)| times_power_of_two(sum.value() / rows, *exponent)),
         )
     }
 
@@ -195,7 +196,7 @@ impl Gram {
     /// ```
     #[must_use]
     pub fn centred(&self) -> Self {
-        let rows = DoubleDouble::from(count(self.rows));
+        let rows = DoubleDouble::from(self.rows as f64);
         let (height, width) = self.shape();
         let mut centred = self.clone();
         for j in 0..width {

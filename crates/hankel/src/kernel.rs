@@ -20,7 +20,8 @@ use std::ops::Range;
 
 use pulp::{Simd, WithSimd};
 
-use crate::plan::BLOCK;
+/// Lags are summed in blocks of this many neighbours, one to a vector lane: a multiple of every vector width.
+pub(crate) const BLOCK: usize = 8;
 
 /// Products between two emptyings of the biased sums. Fewer lose less, but empty more often.
 pub(crate) const CHUNK: usize = 128;
@@ -33,6 +34,9 @@ const REACH: usize = 64;
 
 /// Samples m of a tile. With the lags of a typical batch it fills whole chunks, and its buffers fit the first cache.
 pub(crate) const TILE: usize = 2048 - REACH;
+
+/// Fewer tiles than this are not worth a thread.
+pub(crate) const TILES_A_THREAD: usize = 4;
 
 /// Zeros in front of the tile in the buffer of x.
 pub(crate) const FRONT: usize = CHUNK + REACH;

@@ -1,12 +1,8 @@
 //! One column explained by the others.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, power_of_two, times_power_of_two};
 
-use crate::{
-    Cholesky, Gram, HankelError,
-    scale::{power_of_two, scaled},
-    sums::times,
-};
+use crate::{Cholesky, Gram, HankelError, sums::times};
 
 /// The solution of `min over b of || X b - t ||`, X the columns of a layout without one, and that one t.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,13 +117,16 @@ impl Gram {
             relative_residual: 0.0,
             expected_error: self.rounding() * factor.condition().powi(2),
             refinement: Refinement::default(),
-            projected: z.iter().map(|z| scaled(z.value(), self.exponent(target))).collect(),
+            projected: z
+                .iter()
+                .map(|z| times_power_of_two(z.value(), self.exponent(target)))
+                .collect(),
             scaled: solution.into_iter().map(DoubleDouble::value).collect(),
             rows: self.rows(),
             target,
             unit,
-            target_norm: scaled(target_norm, unit),
-            unexplained_norm: scaled(without(&z).sqrt(), unit),
+            target_norm: times_power_of_two(target_norm, unit),
+            unexplained_norm: times_power_of_two(without(&z).sqrt(), unit),
             scaled_target_norm: target_norm,
             factor,
         };
@@ -143,12 +142,12 @@ impl LeastSquares {
             .scaled
             .iter()
             .enumerate()
-            .map(|(i, b)| scaled(*b, self.unit - self.factor.exponent(i)));
+            .map(|(i, b)| times_power_of_two(*b, self.unit - self.factor.exponent(i)));
         self.coefficients = scaled_back.collect();
         if self.coefficients.iter().any(|b| !b.is_finite()) {
             return Err(HankelError::Overflow { what: "a coefficient" });
         }
-        self.residual_norm = scaled(residual, self.unit);
+        self.residual_norm = times_power_of_two(residual, self.unit);
         self.relative_residual =
             if self.scaled_target_norm > 0.0 { residual / self.scaled_target_norm } else { 0.0 };
         Ok(())

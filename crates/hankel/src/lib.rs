@@ -15,6 +15,7 @@
 //! | factorise; rank, condition, covariance | [`Gram::cholesky`], [`Cholesky`] |
 //! | explain one column by the others | [`Gram::least_squares`], [`LeastSquares`] |
 //! | remove what the Gram matrix cannot see | [`LeastSquares::refined`] |
+//! | share other sums between threads, with the same bits for any number of them | [`in_order()`], [`Sharing`] |
 //!
 //! # Numerics
 //!
@@ -46,6 +47,7 @@
 
 mod accumulator;
 mod cholesky;
+mod column;
 mod combination;
 mod error;
 mod gaps;
@@ -56,7 +58,6 @@ mod layout;
 mod least_squares;
 mod plan;
 mod residual;
-mod scale;
 mod scan;
 mod segment;
 mod sums;
@@ -64,8 +65,10 @@ mod tile;
 
 pub use accumulator::{Accumulator, Options, Seam, gram};
 pub use cholesky::Cholesky;
+pub use column::Column;
 pub use error::HankelError;
 pub use gaps::Missing;
 pub use gram::Gram;
-pub use layout::{Column, Layout};
+pub use in_order::{Sharing, in_order};
+pub use layout::Layout;
 pub use least_squares::{LeastSquares, Refinement};

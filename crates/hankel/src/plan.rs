@@ -4,10 +4,10 @@
 //! channels share all of their sum but the ends of the window, so that each such sum is taken once: O(N p c) work for p
 //! columns of c channels instead of O(N p^2).
 
-use crate::{Column, layout::signed, sums::Owners};
-
-/// Lags are summed in blocks of this many neighbours, one to a vector lane: a multiple of every vector width.
-pub(crate) const BLOCK: usize = 8;
+use crate::{
+    column::{Column, signed},
+    kernel::BLOCK,
+};
 
 /// The lag products of one pair of channels.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,6 +60,17 @@ struct Ownership {
     channels: Vec<usize>,
     /// Columns of the left side, followed by those of the right side if it has its own.
     columns: Vec<usize>,
+}
+
+/// Which channels a product or plain sum belongs to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Owners<'a> {
+    /// Channels of each product.
+    pub(crate) products: &'a [(usize, usize)],
+    /// Channel of each plain sum.
+    pub(crate) plain: &'a [usize],
+    /// Channels of each variance.
+    pub(crate) pairs: &'a [(usize, usize)],
 }
 
 impl Plan {

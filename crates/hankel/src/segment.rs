@@ -9,8 +9,8 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::{
     Layout,
-    in_order::in_order,
-    kernel::TILE,
+    in_order::{Sharing, in_order},
+    kernel::{TILE, TILES_A_THREAD},
     scan::AllFinite,
     sums::Sums,
     tile::{Bench, Source, TileSums, exponent_of, scaled_by},
@@ -144,9 +144,9 @@ fn add_tiles(
         jobs.iter().map(|(from, length)| bench.sums(plan, source, *from, *length, arch)).collect()
     };
     let mut finite = true;
-    in_order(jobs, threads, work, |tile| {
+    in_order(jobs, Sharing { threads, least: TILES_A_THREAD }, work, |tile| {
         finite &= tile.finite;
-        sums.add_tile(tile, plan);
+        sums.add_tile(&tile, plan);
     });
     finite
 }

@@ -1,11 +1,10 @@
 //! Sums of products of two channels, each in units of two to the sum of the channels' exponents.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, power_of_two};
 
 use crate::{
-    kernel::CHUNK_ERROR,
-    plan::{BLOCK, Plan},
-    scale::power_of_two,
+    kernel::{BLOCK, CHUNK_ERROR},
+    plan::{Owners, Plan},
     tile::TileSums,
 };
 
@@ -22,17 +21,6 @@ pub(crate) struct Sums {
     pub(crate) plain: Vec<DoubleDouble>,
     /// Squared standard deviation of the rounding, for each pair of channels of the plan.
     pub(crate) variances: Vec<f64>,
-}
-
-/// Which channels a product or plain sum belongs to.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Owners<'a> {
-    /// Channels of each product.
-    pub(crate) products: &'a [(usize, usize)],
-    /// Channel of each plain sum.
-    pub(crate) plain: &'a [usize],
-    /// Channels of each variance.
-    pub(crate) pairs: &'a [(usize, usize)],
 }
 
 impl Sums {

@@ -1,11 +1,11 @@
 //! One tile of a segment: its samples scaled below one, and the lag products over them.
 
+use doubled::{exponent, power_of_two};
 use pulp::Arch;
 
 use crate::{
-    kernel::{BACK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
-    plan::{BLOCK, Plan},
-    scale::{exponent, power_of_two},
+    kernel::{BACK, BLOCK, CHUNK, FRONT, LagProducts, PlainSum, SLACK, TILE},
+    plan::Plan,
     scan::{AllFinite, Largest, Multiply},
 };
 
@@ -86,7 +86,7 @@ impl Bench {
             channel_high: vec![[0.0; BLOCK]; self.y.len()],
             channel_low: vec![[0.0; BLOCK]; self.y.len()],
             finite: true,
-            chunks: count(length.div_ceil(CHUNK)),
+            chunks: length.div_ceil(CHUNK) as f64,
         };
         for (channel, (x, y)) in self.x.iter_mut().zip(&mut self.y).enumerate() {
             let raw = &mut self.raw[..window];
@@ -141,10 +141,4 @@ pub(crate) fn exponent_of(samples: &[f64], arch: Arch) -> Option<i32> {
 pub(crate) fn scaled_by(samples: &[f64], exponent: i32) -> Vec<f64> {
     let factor = power_of_two(exponent);
     samples.iter().map(|x| x * factor).collect()
-}
-
-/// A count as a number.
-#[expect(clippy::cast_precision_loss, reason = "counts of samples stay far below 2^53")]
-pub(crate) fn count(n: usize) -> f64 {
-    n as f64
 }

@@ -5,7 +5,7 @@ use num_complex::Complex;
 
 use crate::LtiError;
 use crate::dense::CMatrix;
-use crate::scaling::{exponent, power_of_two};
+use crate::scaling::{exponent, invertible_power_of_two};
 
 /// A = Q T Q^H with Q unitary and T upper triangular.
 pub(crate) struct ComplexSchur {
@@ -20,7 +20,7 @@ pub(crate) fn complex_schur(a: &DMatrix<f64>) -> Result<ComplexSchur, LtiError> 
     const EXCEPTIONAL: usize = 10;
     let n = a.nrows();
     // Entries of about 1: products of two can neither over- nor underflow.
-    let scale = power_of_two(exponent(a.amax()));
+    let scale = invertible_power_of_two(exponent(a.amax()));
     let a = a / scale;
     let (q, h) =
         if n > 2 { a.clone().hessenberg().unpack() } else { (DMatrix::identity(n, n), a.clone()) };

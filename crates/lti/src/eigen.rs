@@ -1,6 +1,6 @@
 //! Eigenvalues and both kinds of eigenvectors of a real matrix, refined and with their condition numbers.
 
-use doubled::DoubleDoubleComplex;
+use doubled::{DoubleDoubleComplex, times_power_of_two};
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
@@ -11,7 +11,7 @@ use num_complex::Complex;
 use crate::LtiError;
 use crate::dense::CVector;
 use crate::doubled_product::row_product;
-use crate::scaling::{WidelyBalanced, balance_widely, exponent, times_power_of_two};
+use crate::scaling::{WidelyBalanced, balance_widely, exponent};
 
 /// One eigenvalue with its vectors: A v = lambda v, w^H A = lambda w^H, |v| = 1 and w^H v = 1.
 #[derive(Debug, Clone)]
@@ -184,7 +184,6 @@ fn refined(
     if value.im == 0.0 {
         correction.im = 0.0;
     }
-    #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
     let explained = 100.0 * a.nrows() as f64 * f64::EPSILON * norm * condition;
     let candidate = value + correction;
     // A pair stays a pair.

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::LtiError;
-use crate::scaling::{balance_similarity, exponent, norm_1, power_of_two};
+use crate::scaling::{balance_similarity, exponent, invertible_power_of_two, norm_1};
 use crate::state_space::{check_finite, check_square};
 
 /// Largest norms for which the Pade approximants of degree 3, 5, 7, 9 and 13 have a backward error below 2^-53
@@ -60,7 +60,7 @@ impl Exponential {
     /// together with the quantity; that of the direct form is about 2^s u relative to exp(A). So the direct form
     /// wins only where everything has decayed.
     pub(crate) fn exponential(&self) -> DMatrix<f64> {
-        let growth = power_of_two(i32::try_from(self.squarings).unwrap_or(1000));
+        let growth = invertible_power_of_two(i32::try_from(self.squarings).unwrap_or(1000));
         if growth * norm_1(&self.direct) < norm_1(&self.minus_identity) {
             return self.direct.clone();
         }
@@ -109,7 +109,7 @@ fn halve(a: &DMatrix<f64>, squarings: usize) -> DMatrix<f64> {
     let mut left = squarings;
     while left > 0 {
         let step = left.min(500);
-        scaled *= power_of_two(-i32::try_from(step).unwrap_or(500));
+        scaled *= invertible_power_of_two(-i32::try_from(step).unwrap_or(500));
         left -= step;
     }
     scaled
@@ -123,8 +123,8 @@ fn choose_degree(a: &DMatrix<f64>) -> (usize, usize) {
     }
     // Powers of A / 2^e stay in range; the roots of their norms are scaled back.
     let binary = exponent(norm);
-    let unit = a * power_of_two(-binary);
-    let back = power_of_two(binary);
+    let unit = a * invertible_power_of_two(-binary);
+    let back = invertible_power_of_two(binary);
     let square = &unit * &unit;
     let fourth = &square * &square;
     let sixth = &fourth * &square;
@@ -171,12 +171,10 @@ fn extra_squarings(a: &DMatrix<f64>, degree: usize) -> usize {
     // 1 / |c_2m+1| = binomial(2m, m) (2m + 1)!
     let mut reciprocal = 1.0;
     for k in 1..=degree {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let (k, m) = (k as f64, degree as f64);
         reciprocal *= (m + k) / k;
     }
     for k in 1..=2 * degree + 1 {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let k = k as f64;
         reciprocal *= k;
     }
@@ -186,7 +184,6 @@ fn extra_squarings(a: &DMatrix<f64>, degree: usize) -> usize {
     for _ in 0..2 * degree + 1 {
         row = &row * &unit;
     }
-    #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
     let power = 2.0 * degree as f64;
     let log_alpha = row.amax().log2() + power * norm.log2() - f64::log2(reciprocal);
     ceil_log2_of_log((log_alpha + 53.0) / power)
@@ -230,7 +227,6 @@ fn add_to_diagonal(matrix: &mut DMatrix<f64>, value: f64) {
 fn pade_coefficients(degree: usize) -> Vec<f64> {
     let mut coefficients = vec![1.0];
     for k in 1..=degree {
-        #[expect(clippy::cast_precision_loss, reason = "degrees are at most 13")]
         let ratio = (degree + 1 - k) as f64 / ((2 * degree + 1 - k) as f64 * k as f64);
         coefficients.push(coefficients[k - 1] * ratio);
     }

@@ -162,7 +162,6 @@ impl Rosenbrock {
         if rows != columns || vanishing != rows || condition > WORST_CONDITION {
             return Ok(x);
         }
-        #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
         let explained = 100.0 * rows as f64 * f64::EPSILON * condition * (1.0 + x.norm());
         let mut value = x;
         for _ in 0..STEPS {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::logarithm::{Logarithm, logarithm};
-use crate::scaling::{exponent, norm_1, power_of_two};
+use crate::scaling::{exponent, invertible_power_of_two, norm_1};
 use crate::{Continuous, Discrete, LtiError, StateSpace};
 
 /// A continuous-time system, and how well its zero-order hold gives the sampled one back.
@@ -63,7 +63,7 @@ impl StateSpace<Discrete> {
         let mut column_scale = Vec::with_capacity(m);
         for j in 0..m {
             let column = self.b().column(j);
-            let scale = power_of_two(exponent(column.amax()) - exponent(size));
+            let scale = invertible_power_of_two(exponent(column.amax()) - exponent(size));
             block.view_mut((0, n + j), (n, 1)).copy_from(&(column / scale));
             column_scale.push(scale);
         }

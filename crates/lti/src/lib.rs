@@ -87,7 +87,7 @@ pub use inverse_zoh::InverseZoh;
 pub use logarithm::{Logarithm, logarithm};
 pub use modes::{Mode, ModeKind};
 pub use poles::Pole;
-pub use resolvent::{ResolventNumerators, resolvent_numerator, resolvent_numerators};
+pub use resolvent::{ResolventNumerators, resolvent_numerators};
 pub use simulation::Simulation;
 pub use state_space::StateSpace;
 pub use time::{Continuous, Discrete, SamplePeriod, TimeDomain, s_to_z, z_to_s};

@@ -92,7 +92,6 @@ pub fn logarithm(a: &DMatrix<f64>) -> Result<Logarithm, LtiError> {
 }
 
 fn check_spectrum(a: &DMatrix<f64>) -> Result<(), LtiError> {
-    #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
     let rounding_level = a.nrows() as f64 * f64::EPSILON * a.norm();
     for eigenvalue in eigenvalues(a)? {
         if (eigenvalue.im == 0.0 && eigenvalue.re <= 0.0) || eigenvalue.norm() <= rounding_level {

@@ -14,7 +14,12 @@ pub struct ResolventNumerators<T: Ring> {
     ///
     /// Source: paper eq. (7).
     pub delta: Poly<T>,
-    /// One polynomial per output (first index) and input (second index), of degree at most n.
+    /// One polynomial per output (first index) and input (second index), of degree at most n:
+    /// Gamma(p) = c adj(pI - A) b + d delta(p) for a row c of C, a column b of B and their entry d of D.
+    ///
+    /// For the two outputs of a transmissibility, Gamma_i is that of (c_i, d_i) and Gamma_o that of (c_o, d_o).
+    ///
+    /// Source: paper eq. (5) and paper eq. (6).
     pub numerators: Vec<Vec<Poly<T>>>,
 }
 
@@ -69,41 +74,6 @@ pub fn resolvent_numerators<T: Ring + Scalar>(
     };
     let numerators = (0..p).map(|i| (0..m).map(|j| numerator(i, j)).collect()).collect();
     Ok(ResolventNumerators { delta, numerators })
-}
-
-/// One numerator, Gamma(p) = c adj(pI - A) b + d delta(p), over any commutative ring.
-///
-/// b and c hold n entries each. For the two outputs of a transmissibility,
-/// Gamma_i uses (c_i, d_i) and Gamma_o uses (c_o, d_o).
-///
-/// Source: paper eq. (5) and paper eq. (6).
-///
-/// # Errors
-///
-/// [`LtiError::NotSquare`] or [`LtiError::Shape`].
-///
-/// # Example
-///
-/// ```
-/// use lti::resolvent_numerator;
-/// use nalgebra::dmatrix;
-/// use poly::Poly;
-/// // Example 4.1 of the paper: Gamma_i for b_1.
-/// let a = dmatrix![1, 1, 1; 0, 2, -1; 0, 1, 1];
-/// let gamma = resolvent_numerator(&a, &[0, 1, 0], &[1, 2, -1], &0)?;
-/// assert_eq!(gamma, Poly::from_descending(&[2, -4, 3]));
-/// # Ok::<(), lti::LtiError>(())
-/// ```
-pub fn resolvent_numerator<T: Ring + Scalar>(
-    a: &DMatrix<T>,
-    b: &[T],
-    c: &[T],
-    d: &T,
-) -> Result<Poly<T>, LtiError> {
-    check_square("A", a)?;
-    check_vectors(a.nrows(), b, c)?;
-    let delta = characteristic_polynomial(a)?;
-    Ok(numerator_given_delta(a, &delta, b, c, d))
 }
 
 pub(crate) fn check_vectors<T>(n: usize, b: &[T], c: &[T]) -> Result<(), LtiError> {

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::dense::{Svd, svd};
-use crate::scaling::{Balanced, balance, balance_similarity, exponent, power_of_two};
+use crate::scaling::{Balanced, balance, balance_similarity, exponent, invertible_power_of_two};
 use crate::{LtiError, StateSpace, TimeDomain};
 
 /// `[A B; C D]` scaled by powers of two.
@@ -67,7 +67,6 @@ impl Rosenbrock {
     /// The reduction; `None` as tolerance stands for the rounding level.
     pub(crate) fn reduce(&self, tolerance: Option<f64>) -> Result<Reduced, LtiError> {
         let (n, rows, columns) = (self.states, self.matrix.nrows(), self.matrix.ncols());
-        #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
         let tolerance = tolerance.unwrap_or(rows.max(columns) as f64 * f64::EPSILON);
         let mut ranks = Ranks {
             level: tolerance * self.norm,
@@ -116,11 +115,11 @@ impl Rosenbrock {
 /// Columns of [B; D] and rows of [C D] to a largest entry of about 1.
 fn normalise_channels(matrix: &mut DMatrix<f64>, n: usize) {
     for j in n..matrix.ncols() {
-        let factor = power_of_two(exponent(matrix.column(j).amax()));
+        let factor = invertible_power_of_two(exponent(matrix.column(j).amax()));
         matrix.column_mut(j).unscale_mut(factor);
     }
     for i in n..matrix.nrows() {
-        let factor = power_of_two(exponent(matrix.row(i).amax()));
+        let factor = invertible_power_of_two(exponent(matrix.row(i).amax()));
         matrix.row_mut(i).unscale_mut(factor);
     }
 }

@@ -1,11 +1,12 @@
 //! Scaling by powers of two, which costs no rounding: balancing (Parlett & Reinsch 1969, with the norms of
 //! James, Langou & Lowery 2014) and protection against overflow.
 
+use doubled::{power_of_two, times_power_of_two};
 use nalgebra::{DMatrix, DVector};
 
 /// 2^exponent with the exponent held where both it and its inverse are normal numbers.
-pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    2.0_f64.powi(exponent.clamp(-1000, 1000))
+pub(crate) fn invertible_power_of_two(exponent: i32) -> f64 {
+    power_of_two(exponent.clamp(-1000, 1000))
 }
 
 /// The exponent of the power of two next below |x| (0 for x = 0).
@@ -15,32 +16,16 @@ pub(crate) fn exponent(x: f64) -> i32 {
 
 /// x = m 2^e with 1 <= |m| < 2; `None` for 0 and for what is not finite.
 fn split(x: f64) -> Option<(f64, i32)> {
-    const FRACTION_BITS: u32 = 52;
-    const BIAS: i32 = 1023;
+    const EXPONENT_BITS: u64 = 0x7ff << 52;
     if x == 0.0 || !x.is_finite() {
         return None;
     }
     if x.abs() < f64::MIN_POSITIVE {
-        let (mantissa, exponent) = split(x * 2.0_f64.powi(100))?;
+        let (mantissa, exponent) = split(x * power_of_two(100))?;
         return Some((mantissa, exponent - 100));
     }
-    let biased = i32::try_from((x.abs().to_bits() >> FRACTION_BITS) & 0x7ff).ok()?;
-    let fraction = x.to_bits() & !(0x7ff_u64 << FRACTION_BITS);
-    Some((f64::from_bits(fraction | 1.0_f64.to_bits()), biased - BIAS))
-}
-
-/// x 2^exponent for any exponent: infinite or zero only where the result itself is out of range.
-pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
-    const STEP: i32 = 1000;
-    // From the smallest number to the largest it takes 2^2098.
-    let mut left = exponent.clamp(-2200, 2200);
-    let mut result = x;
-    while left != 0 {
-        let step = left.clamp(-STEP, STEP);
-        result *= power_of_two(step);
-        left -= step;
-    }
-    result
+    let mantissa = f64::from_bits(x.to_bits() & !EXPONENT_BITS | 1.0_f64.to_bits());
+    Some((mantissa, doubled::exponent(x)))
 }
 
 /// `matrix = D^-1 (A / scale) D` with D diagonal, all powers of two.

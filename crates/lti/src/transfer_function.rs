@@ -100,7 +100,6 @@ impl<T: TimeDomain> StateSpace<T> {
         let bound =
             resolvent_numerators(&sizes(&matrix), &sizes(&b), &sizes(&c), &sizes(self.d()))?;
 
-        #[expect(clippy::cast_precision_loss, reason = "the order of a system is far below 2^52")]
         let unit = (n.max(1) as f64) * f64::EPSILON / 2.0;
         let mut delta = exact.delta.coefficients().to_vec();
         for (k, coefficient) in delta.iter_mut().enumerate() {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::exponential::{exponential, exponential_parts};
-use crate::scaling::{exponent, norm_1, power_of_two};
+use crate::scaling::{exponent, invertible_power_of_two, norm_1};
 use crate::{Continuous, Discrete, LtiError, SamplePeriod, StateSpace};
 
 impl StateSpace<Continuous> {
@@ -48,7 +48,7 @@ impl StateSpace<Continuous> {
         let mut column_scale = Vec::with_capacity(m);
         for j in 0..m {
             let column = self.b().column(j);
-            let scale = power_of_two(exponent(column.amax()) - exponent(size));
+            let scale = invertible_power_of_two(exponent(column.amax()) - exponent(size));
             // Divide first: scale is about |B| / |A T|, so the product with T stays in range.
             block.view_mut((0, n + j), (n, 1)).copy_from(&(column / scale));
             column_scale.push(scale * period.seconds());

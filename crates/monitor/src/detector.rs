@@ -4,7 +4,8 @@ use nalgebra::DVector;
 
 use crate::features::{Features, features};
 use crate::statistics::Healthy;
-use crate::{Link, MonitorError, Stretch, Test, Whitening, Window, count, runs};
+use crate::stretch::longest_run;
+use crate::{Link, MonitorError, Stretch, Test, Whitening, Window};
 
 /// The weight of the newest window in the mean that the next one is compared with: it remembers about five.
 const WEIGHT: f64 = 0.2;
@@ -66,7 +67,7 @@ impl Detector {
         let channels = healthy.iter().map(Vec::len).min().unwrap_or(0);
         let longest = |channel: usize| {
             let runs = healthy.iter().chain(training).filter_map(|stretch| stretch.get(channel));
-            runs.map(|values| runs::longest(values)).max().unwrap_or(1)
+            runs.map(|values| longest_run(values)).max().unwrap_or(1)
         };
         Ok(Self {
             longest_run: (0..channels).map(longest).collect(),
@@ -163,7 +164,7 @@ fn check<'a>(
         return Err(MonitorError::NoLink);
     }
     if options.window < 2 {
-        let (what, value) = ("the window", count(options.window));
+        let (what, value) = ("the window", options.window as f64);
         return Err(MonitorError::BadOption { what, value, needed: "at least 2 samples" });
     }
     if options.false_alarms.is_nan() || options.false_alarms <= 0.0 || options.false_alarms >= 0.5 {
@@ -211,7 +212,7 @@ impl Baseline {
     /// How far a window's level is off the mean of those before, divided so that its variance is that of a window; nothing for the first one.
     fn jump(&mut self, level: &DVector<f64>) -> Option<DVector<f64>> {
         self.windows += 1;
-        let weight = WEIGHT.max(1.0 / count(self.windows));
+        let weight = WEIGHT.max(1.0 / self.windows as f64);
         let variance = self.variance;
         self.variance = (1.0 - weight).powi(2) * variance + weight * weight;
         let Some(mean) = &mut self.mean else {

@@ -1,7 +1,8 @@
 //! What kind of change an alarm is, since when, and in which sensor.
 
 use crate::attribution::{farthest, raised, suspects};
-use crate::{Detector, MonitorError, Stretch, TestKind, Window, count, runs};
+use crate::stretch::first_run_beyond;
+use crate::{Detector, MonitorError, Stretch, TestKind, Window};
 
 /// A run of equal values is a freeze if it is longer than this many times the longest healthy one, and this many samples.
 const FREEZE_FACTOR: usize = 2;
@@ -99,7 +100,7 @@ impl Detector {
         let begin = |(channel, longest): (usize, &usize)| {
             let usual = (FREEZE_FACTOR * longest).max(FREEZE_SAMPLES);
             let values = stretch.get(channel)?;
-            let run = runs::first_beyond(values, usual, window.first)?;
+            let run = first_run_beyond(values, usual, window.first)?;
             Some((run.start, channel))
         };
         let earliest = self.longest_run().iter().enumerate().filter_map(begin).min();
@@ -134,7 +135,7 @@ fn level_change(windows: &[Window], first_alarm: usize, link: usize) -> Change {
     let near = windows.iter().skip(before).take(first_alarm - before + JUDGED);
     let means: Vec<f64> = near.filter_map(|window| window.means.get(link)).copied().collect();
     let healthy = means.get(..(first_alarm - before) / 2).unwrap_or_default();
-    let usual = healthy.iter().sum::<f64>() / count(healthy.len().max(1));
+    let usual = healthy.iter().sum::<f64>() / healthy.len().max(1) as f64;
     let levels: Vec<f64> = means.iter().map(|mean| mean - usual).collect();
     // The squares that `a shape(k)` takes away from the sum of all squares.
     let explained = |shape: fn(usize) -> f64| {
@@ -148,7 +149,7 @@ fn level_change(windows: &[Window], first_alarm: usize, link: usize) -> Change {
         };
         (0..levels.len()).map(of).fold(0.0, f64::max)
     };
-    let (step, ramp) = (explained(|_| 1.0), explained(|k| count(k) + 0.5));
+    let (step, ramp) = (explained(|_| 1.0), explained(|k| k as f64 + 0.5));
     if ramp > step { Change::Drift } else { Change::Bias }
 }
 

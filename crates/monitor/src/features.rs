@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use crate::{Link, MonitorError, Stretch, Whitening, count};
+use crate::{Link, MonitorError, Stretch, Whitening};
 
 /// One window's numbers.
 #[derive(Debug, Clone)]
@@ -42,7 +42,7 @@ pub(crate) fn features(
 
 /// Mean, and cube root of the variance.
 fn moments(values: &[f64]) -> (f64, f64) {
-    let n = count(values.len().max(2));
+    let n = values.len().max(2) as f64;
     let mean = values.iter().sum::<f64>() / n;
     let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (n - 1.0);
     (mean, variance.cbrt())

@@ -37,8 +37,8 @@ mod diagnosis;
 mod error;
 mod features;
 mod link;
-mod runs;
 mod statistics;
+mod stretch;
 mod whitening;
 mod window;
 
@@ -46,14 +46,6 @@ pub use detector::{Detector, Options};
 pub use diagnosis::{Change, Diagnosis};
 pub use error::MonitorError;
 pub use link::Link;
+pub use stretch::Stretch;
 pub use whitening::Whitening;
 pub use window::{Test, TestKind, Window};
-
-/// A stretch of a record without gaps: one slice for each channel, equally long.
-pub type Stretch<'a> = Vec<&'a [f64]>;
-
-/// A count as a number.
-#[expect(clippy::cast_precision_loss, reason = "counts of samples stay far below 2^53")]
-pub(crate) fn count(number: usize) -> f64 {
-    number as f64
-}

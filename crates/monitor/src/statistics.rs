@@ -3,7 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use crate::{MonitorError, count};
+use crate::MonitorError;
 
 /// Mean and covariance of healthy observations.
 #[derive(Debug, Clone)]
@@ -21,12 +21,12 @@ impl Healthy {
         let p = sample.first().map_or(0, |x| x.len());
         let mut mean = DVector::zeros(p);
         for x in sample {
-            mean += x / count(observations);
+            mean += x / observations as f64;
         }
         let mut covariance = DMatrix::zeros(p, p);
         for x in sample {
             let off = x - &mean;
-            covariance += &off * off.transpose() / (count(observations) - 1.0);
+            covariance += &off * off.transpose() / (observations as f64 - 1.0);
         }
         let deviation = covariance.diagonal().map(f64::sqrt);
         if deviation.iter().any(|deviation| deviation.is_nan() || *deviation <= 0.0) {
@@ -58,7 +58,7 @@ impl Healthy {
 
     /// Variance of a new observation off the mean of the others, over its own.
     fn widening(&self) -> f64 {
-        1.0 + 1.0 / count(self.observations)
+        1.0 + 1.0 / self.observations as f64
     }
 
     /// What T^2 of a healthy observation exceeds with this probability.
@@ -74,9 +74,9 @@ impl Healthy {
 
 /// `p (n - 1) / (n - p)` times the quantile of F(p, n - p).
 pub(crate) fn limit(p: usize, n: usize, probability: f64) -> f64 {
-    let free = count(n.saturating_sub(p).max(1));
-    let factor = count(p) * (count(n) - 1.0) / free;
-    let Ok(distribution) = FisherSnedecor::new(count(p.max(1)), free) else {
+    let free = n.saturating_sub(p).max(1) as f64;
+    let factor = p as f64 * (n as f64 - 1.0) / free;
+    let Ok(distribution) = FisherSnedecor::new(p.max(1) as f64, free) else {
         return f64::INFINITY;
     };
     // The upper tail by bisection of its logarithm: the library's quantile loses the tail in 1 - probability.
@@ -97,11 +97,11 @@ pub(crate) fn limit(p: usize, n: usize, probability: f64) -> f64 {
 
 /// Chance of at least `least` successes in `trials`, each with this probability.
 pub(crate) fn at_least(least: usize, trials: usize, probability: f64) -> f64 {
-    let mut chance = (1.0 - probability).powf(count(trials));
+    let mut chance = (1.0 - probability).powf(trials as f64);
     let mut below = 0.0;
     for successes in 0..least {
         below += chance;
-        let ratio = count(trials - successes.min(trials)) / count(successes + 1);
+        let ratio = (trials - successes.min(trials)) as f64 / (successes + 1) as f64;
         chance *= ratio * probability / (1.0 - probability);
     }
     (1.0 - below).max(0.0)

@@ -1,7 +1,5 @@
 //! An autoregression that makes a coloured signal nearly white.
 
-use crate::count;
-
 /// Longest memory that is tried, in samples.
 const LONGEST: usize = 40;
 
@@ -66,7 +64,7 @@ impl Whitening {
 
 /// The coefficients of the order whose criterion N ln(variance) + q ln N is least.
 fn levinson(covariances: &[f64], samples: usize) -> Vec<f64> {
-    let n = count(samples);
+    let n = samples as f64;
     let mut variance = covariances.first().copied().unwrap_or_default();
     let (mut coefficients, mut best) = (Vec::new(), Vec::new());
     if variance <= 0.0 {
@@ -86,7 +84,7 @@ fn levinson(covariances: &[f64], samples: usize) -> Vec<f64> {
         if variance <= 0.0 {
             break;
         }
-        let criterion = n * variance.ln() + count(order) * n.ln();
+        let criterion = n * variance.ln() + order as f64 * n.ln();
         if criterion < least {
             least = criterion;
             best.clone_from(&coefficients);

@@ -11,7 +11,8 @@ mod tests;
 
 use crate::PolyError;
 use crate::newton_polygon::NewtonPolygon;
-use crate::poly::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
+use crate::poly::floating::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};
+use doubled::times_power_of_two;
 use num_complex::Complex;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -63,16 +64,9 @@ pub(crate) enum Precision {
 
 /// `x 2^exponent` without overflow on the way.
 pub(crate) fn scale_by_power(x: C, exponent: i64) -> C {
-    let mut rest = exponent.clamp(-4000, 4000);
-    let mut x = x;
-    while rest != 0 {
-        let step = rest.clamp(-1000, 1000);
-        #[expect(clippy::cast_possible_truncation, reason = "clamped to -1000..1000")]
-        let factor = 2f64.powi(step as i32);
-        x *= factor;
-        rest -= step;
-    }
-    x
+    // Farther than from one end of the range to the other, so that an exponent beyond changes nothing.
+    let exponent = i32::try_from(exponent.clamp(-4000, 4000)).expect("clamped");
+    C::new(times_power_of_two(x.re, exponent), times_power_of_two(x.im, exponent))
 }
 
 /// Binary logarithm of the modulus; minus infinity for zero.
@@ -89,7 +83,6 @@ pub(crate) fn log2_modulus(x: C) -> f64 {
     } else {
         0
     };
-    #[expect(clippy::cast_precision_loss, reason = "one of -600, 0, 600")]
     let back = shift as f64;
     scale_by_power(x, shift).norm().log2() - back
 }
@@ -98,10 +91,6 @@ fn rounded(x: f64) -> i64 {
     #[expect(clippy::cast_possible_truncation, reason = "clamped to a small range")]
     let integer = x.clamp(-1e15, 1e15).round() as i64;
     integer
-}
-
-fn float(k: usize) -> f64 {
-    u32::try_from(k).map_or(f64::INFINITY, f64::from)
 }
 
 impl ScaledPoly {
@@ -121,10 +110,9 @@ impl ScaledPoly {
         let degree = self.degree();
         let heights: Vec<f64> = (0..=degree).map(|k| self.polygon.height(k)).collect();
         let exponent =
-            if degree == 0 { 0 } else { rounded((heights[0] - heights[degree]) / float(degree)) };
-        #[expect(clippy::cast_precision_loss, reason = "an exponent of a float times a degree")]
+            if degree == 0 { 0 } else { rounded((heights[0] - heights[degree]) / degree as f64) };
         let scaled =
-            heights.iter().enumerate().map(|(k, h)| h + exponent as f64 * float(k)).collect();
+            heights.iter().enumerate().map(|(k, h)| h + exponent as f64 * k as f64).collect();
         (scaled, exponent)
     }
 
@@ -162,7 +150,7 @@ impl ScaledPoly {
                 let evaluation = horner_with_bound(coefficients, y, 2.24);
                 let mut derivative = C::new(0.0, 0.0);
                 for (k, c) in coefficients.iter().enumerate().skip(1).rev() {
-                    derivative = derivative * y + c * float(k);
+                    derivative = derivative * y + c * k as f64;
                 }
                 ScaledValue {
                     value: evaluation.value,
@@ -190,7 +178,7 @@ impl ScaledPoly {
             let radius = (edge.log2_modulus - exponent).exp2();
             for k in 0..edge.roots {
                 let angle = TAU
-                    * (float(k) / float(edge.roots) + float(circle) / float(self.degree()))
+                    * (k as f64 / edge.roots as f64 + circle as f64 / self.degree() as f64)
                     + TWIST;
                 starts.push(scale_by_power(C::from_polar(radius, angle), rounded(exponent)));
             }

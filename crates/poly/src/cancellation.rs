@@ -4,7 +4,7 @@
 mod tests;
 
 use crate::mroots::check_tolerance;
-use crate::{MrootsOptions, PolyError, Rational, ZeroPoleGain};
+use crate::{MrootsOptions, Poly, PolyError, Rational, mroots};
 use num_complex::Complex;
 
 /// When a zero and a pole cancel.
@@ -69,7 +69,8 @@ impl Rational<f64> {
     /// precision and rounded once; its denominator is monic.
     ///
     /// # Errors
-    /// As [`mroots()`](crate::mroots()), [`PolyError::InvalidTolerance`], [`PolyError::Overflow`].
+    /// As [`mroots()`](crate::mroots()), [`PolyError::InvalidTolerance`], [`PolyError::NonFiniteValue`] if the gain overflows,
+    /// [`PolyError::Overflow`] if a coefficient does.
     ///
     /// # Example
     /// ```
@@ -86,7 +87,14 @@ impl Rational<f64> {
     /// # Ok::<(), poly::PolyError>(())
     /// ```
     pub fn cancel(&self, options: &Cancellation) -> Result<Cancelled, PolyError> {
-        let mut cancelled = ZeroPoleGain::from_rational(self, &options.roots)?.cancel(options)?;
+        let poles = mroots(self.denominator(), &options.roots)?.values();
+        let (zeros, gain) = match (self.numerator().leading(), self.denominator().leading()) {
+            (Some(top), Some(bottom)) => {
+                (mroots(self.numerator(), &options.roots)?.values(), top / bottom)
+            }
+            _ => (Vec::new(), 0.0),
+        };
+        let mut cancelled = cancelled(&zeros, &poles, gain, options)?;
         if cancelled.pairs.is_empty() {
             cancelled.rational = self.clone();
         }
@@ -94,22 +102,41 @@ impl Rational<f64> {
     }
 }
 
+/// `gain (x - z_1) .. (x - z_m) / ((x - p_1) .. (x - p_n))` without the zeros and poles that cancel.
+fn cancelled(
+    zeros: &[Complex<f64>],
+    poles: &[Complex<f64>],
+    gain: f64,
+    options: &Cancellation,
+) -> Result<Cancelled, PolyError> {
+    if !gain.is_finite() {
+        let value = Complex::new(gain, 0.0);
+        return Err(PolyError::NonFiniteValue { what: "gain", index: 0, value });
+    }
+    let Left { zeros, poles, pairs, closest_left } = cancel_lists(zeros, poles, options)?;
+    let numerator = Poly::real_from_roots(&zeros)?.scale(&gain);
+    if let Some(degree) = numerator.coefficients().iter().position(|c| !c.is_finite()) {
+        return Err(PolyError::Overflow { degree });
+    }
+    let rational = Rational::new(numerator, Poly::real_from_roots(&poles)?)?;
+    Ok(Cancelled { rational, pairs, closest_left, zeros, poles, gain })
+}
+
 /// The lists that are left, and what was taken out of them.
-#[derive(Debug, Clone)]
-pub(crate) struct CancelledLists {
-    pub(crate) zeros: Vec<Complex<f64>>,
-    pub(crate) poles: Vec<Complex<f64>>,
-    pub(crate) pairs: Vec<CancelledPair>,
-    pub(crate) closest_left: Option<CancelledPair>,
+struct Left {
+    zeros: Vec<Complex<f64>>,
+    poles: Vec<Complex<f64>>,
+    pairs: Vec<CancelledPair>,
+    closest_left: Option<CancelledPair>,
 }
 
 /// Takes out the closest pairs first. Both lists hold reals and exactly conjugate pairs, and so does the result:
 /// a real value only cancels a real one, a pair only a pair.
-pub(crate) fn cancel_lists(
+fn cancel_lists(
     zeros: &[Complex<f64>],
     poles: &[Complex<f64>],
     options: &Cancellation,
-) -> Result<CancelledLists, PolyError> {
+) -> Result<Left, PolyError> {
     check_tolerance("absolute", options.absolute)?;
     check_tolerance("relative", options.relative)?;
     let (mut zeros, mut poles) = (zeros.to_vec(), poles.to_vec());
@@ -130,7 +157,7 @@ pub(crate) fn cancel_lists(
         }
     }
     let closest_left = closest(&zeros, &poles);
-    Ok(CancelledLists { zeros, poles, pairs, closest_left })
+    Ok(Left { zeros, poles, pairs, closest_left })
 }
 
 fn closest(zeros: &[Complex<f64>], poles: &[Complex<f64>]) -> Option<CancelledPair> {

@@ -19,10 +19,10 @@ pub enum PolyError {
         /// Its value.
         value: Complex<f64>,
     },
-    /// A zero, pole or gain is NaN or infinite.
+    /// A root or a gain is NaN or infinite.
     #[error("the {what} of index {index} is {value}; a finite number is needed")]
     NonFiniteValue {
-        /// "zero", "pole" or "gain".
+        /// "root" or "gain".
         what: &'static str,
         /// Its index in its list.
         index: usize,

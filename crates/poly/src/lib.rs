@@ -7,7 +7,6 @@
 //! | [`Ring`], [`Field`] | what coefficients must be able to do; `i64`, `BigInt`, `BigRational`, `f64`, `Complex<f64>` qualify |
 //! | [`Poly`] | a polynomial in one variable, coefficients stored ascending |
 //! | [`Rational`] | a quotient of two polynomials, with [`Rational::cancel`] for nearly common zeros and poles |
-//! | [`ZeroPoleGain`] | a real rational function as its zeros, poles and gain |
 //! | [`PolyMatrix`] | a matrix of polynomials: product, determinant, adjugate, minors |
 //! | [`characteristic_polynomial`] | det(pI - A) over any ring, without division |
 //! | [`mroots()`] | the roots of a polynomial with multiplicities, condition numbers and error bounds |
@@ -39,7 +38,6 @@ mod aberth;
 mod berkowitz;
 mod cancellation;
 mod error;
-mod evaluation;
 mod least_squares;
 mod leja;
 mod matrix;
@@ -48,18 +46,18 @@ mod newton_polygon;
 mod poly;
 mod rational;
 mod ring;
-mod zero_pole_gain;
 
 pub use berkowitz::characteristic_polynomial;
 pub use cancellation::{Cancellation, Cancelled, CancelledPair};
 pub use error::PolyError;
-pub use evaluation::Evaluation;
-pub use matrix::{Determinant, PolyMatrix};
+pub use matrix::PolyMatrix;
 #[cfg(feature = "faer")]
-pub use matrix::{FiniteZero, FiniteZeros};
-pub use mroots::{Method, Mroots, MrootsOptions, Multiplicities, Root, mroots};
+pub use matrix::finite_zeros::{FiniteZero, FiniteZeros};
+pub use matrix::floating::Determinant;
+pub use mroots::{Mroots, MrootsMethod, MrootsOptions, Multiplicities, Root, mroots};
 pub use num_complex::Complex;
-pub use poly::{Poly, PolyDisplay};
+pub use poly::Poly;
+pub use poly::display::PolyDisplay;
+pub use poly::floating::BoundedValue;
 pub use rational::Rational;
 pub use ring::{Field, Ring};
-pub use zero_pole_gain::ZeroPoleGain;

@@ -2,8 +2,8 @@
 
 mod determinant;
 #[cfg(feature = "faer")]
-mod finite_zeros;
-mod floating;
+pub(crate) mod finite_zeros;
+pub(crate) mod floating;
 #[cfg(feature = "nalgebra")]
 mod nalgebra;
 #[cfg(test)]
@@ -11,10 +11,6 @@ mod tests;
 
 use crate::{Poly, PolyError, Ring};
 use std::ops::Index;
-
-#[cfg(feature = "faer")]
-pub use finite_zeros::{FiniteZero, FiniteZeros};
-pub use floating::Determinant;
 
 /// A rows x columns matrix of polynomials, stored row by row.
 ///

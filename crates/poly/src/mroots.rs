@@ -1,118 +1,24 @@
 //! The roots of a polynomial as a multiset, each with its condition number, residual and error estimate.
 
-#[cfg(feature = "faer")]
-pub(crate) use conjugate::symmetrize;
-
 mod common_factor;
 mod conjugate;
+mod multiset;
+mod options;
 mod pejorative;
 mod simple;
 mod structure;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "faer")]
+pub(crate) use conjugate::symmetrize;
+pub use multiset::{Mroots, MrootsMethod, Root};
+pub use options::{MrootsOptions, Multiplicities};
+
 use crate::aberth::ScaledPoly;
 use crate::{Poly, PolyError, Ring};
 use num_complex::Complex;
 use pejorative::{Multiple, Target};
-
-/// Whether roots may be merged into multiple ones.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Multiplicities {
-    /// Merge roots where a polynomial with multiple roots explains the coefficients within their error.
-    #[default]
-    Detect,
-    /// Every root is simple, except zero: return the roots of the coefficients exactly as given.
-    AllSimple,
-}
-
-/// Options of [`mroots()`].
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct MrootsOptions {
-    /// Whether roots may be merged; by default they may.
-    pub multiplicities: Multiplicities,
-    /// Relative error of the coefficients, against the Newton polygon's hull, up to which a polynomial with
-    /// multiple roots counts as the one that was meant. Default: 4 times the machine epsilon, a few roundings.
-    /// Raise it for measured coefficients.
-    pub coefficient_error: f64,
-    /// Leading coefficients of modulus at most this many times the largest are dropped. Default: 0, none.
-    pub vanishing_leading: f64,
-    /// Sweeps over all roots. Default: 500; about 20 are usual, slow convergence needs a multiple root.
-    pub maximum_iterations: usize,
-}
-
-impl Default for MrootsOptions {
-    fn default() -> Self {
-        Self {
-            multiplicities: Multiplicities::Detect,
-            coefficient_error: 4.0 * f64::EPSILON,
-            vanishing_leading: 0.0,
-            maximum_iterations: 500,
-        }
-    }
-}
-
-/// One distinct root.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Root {
-    /// Where it is.
-    pub value: Complex<f64>,
-    /// How often it counts.
-    pub multiplicity: usize,
-    /// `|p(z)| / sum |c_k| |z|^k`: the smallest relative change of the coefficients that makes `value` a root.
-    pub residual: f64,
-    /// Largest relative change of the root per relative change of the coefficients, to first order.
-    ///
-    /// Simple root: `sum |c_k| |z|^k / (|z| |p'(z)|)`. Multiple root: the same for changes that keep the
-    /// multiplicities (Zeng 2005). A root at zero by vanishing coefficients has condition 0.
-    pub condition: f64,
-    /// Estimated distance to the exact root of the coefficients as given.
-    ///
-    /// Simple root: the radius `n |p| / |p'|` of a disc that holds a root, and the rounding of `value`.
-    /// Multiple root: condition times the backward error of the structure.
-    pub error_estimate: f64,
-}
-
-/// How the roots were decided on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Method {
-    /// All nonzero roots are simple, each refined by itself.
-    Simple,
-    /// Some roots are multiple, all refined together with the multiplicities held (Zeng 2005).
-    Pejorative,
-}
-
-/// The multiset of roots, with its numerical doubt; made by [`mroots()`].
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Mroots {
-    /// Distinct roots, by ascending real part, then modulus of the imaginary part, positive imaginary part first.
-    pub roots: Vec<Root>,
-    /// How the roots were decided on.
-    pub method: Method,
-    /// Largest change of a coefficient, relative to the Newton polygon's hull, that makes `roots` exact.
-    pub backward_error: f64,
-    /// Sweeps over all roots.
-    pub iterations: usize,
-    /// Whether every root met its stopping test.
-    pub converged: bool,
-    /// Number of leading coefficients dropped as vanishing.
-    pub vanished_leading: usize,
-}
-
-impl Mroots {
-    /// Every root as often as its multiplicity says, in the order of [`Mroots::roots`].
-    pub fn values(&self) -> Vec<Complex<f64>> {
-        self.roots
-            .iter()
-            .flat_map(|root| std::iter::repeat_n(root.value, root.multiplicity))
-            .collect()
-    }
-}
 
 /// The roots of `p` with multiplicities.
 ///
@@ -205,7 +111,7 @@ fn refine_multiple(p: &mut ScaledPoly, real: bool, options: &MrootsOptions, foun
         Multiplicities::AllSimple => None,
     };
     if let Some(fit) = fit {
-        found.method = Method::Pejorative;
+        found.method = MrootsMethod::Pejorative;
         found.converged = true;
         found.iterations += fit.steps;
         found.roots = fit

@@ -22,10 +22,6 @@ pub(crate) struct Edge {
     pub(crate) log2_modulus: f64,
 }
 
-fn float(k: usize) -> f64 {
-    u32::try_from(k).map_or(f64::INFINITY, f64::from)
-}
-
 impl NewtonPolygon {
     /// From the binary logarithms of the moduli; zeros are minus infinity. First and last must be finite.
     pub(crate) fn new(heights: &[f64]) -> Self {
@@ -36,8 +32,8 @@ impl NewtonPolygon {
             }
             while let [.., a, b] = corners[..] {
                 // b lies on or below the line from a to the new point.
-                let to_b = (b.1 - a.1) * float(k - a.0);
-                let to_new = (height - a.1) * float(b.0 - a.0);
+                let to_b = (b.1 - a.1) * (k - a.0) as f64;
+                let to_new = (height - a.1) * (b.0 - a.0) as f64;
                 if to_b > to_new {
                     break;
                 }
@@ -52,7 +48,7 @@ impl NewtonPolygon {
     pub(crate) fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.corners.windows(2).map(|pair| {
             let roots = pair[1].0 - pair[0].0;
-            Edge { roots, log2_modulus: (pair[0].1 - pair[1].1) / float(roots) }
+            Edge { roots, log2_modulus: (pair[0].1 - pair[1].1) / roots as f64 }
         })
     }
 
@@ -61,7 +57,7 @@ impl NewtonPolygon {
         let after = self.corners.partition_point(|corner| corner.0 < k);
         match (after.checked_sub(1).map(|i| self.corners[i]), self.corners.get(after)) {
             (_, Some(&(degree, height))) if degree == k => height,
-            (Some(a), Some(&b)) => a.1 + (b.1 - a.1) * float(k - a.0) / float(b.0 - a.0),
+            (Some(a), Some(&b)) => a.1 + (b.1 - a.1) * (k - a.0) as f64 / (b.0 - a.0) as f64,
             _ => f64::NEG_INFINITY,
         }
     }

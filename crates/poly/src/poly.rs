@@ -1,13 +1,11 @@
 //! A polynomial in one variable.
 
 mod arithmetic;
-mod display;
+pub(crate) mod display;
 mod division;
-mod floating;
+pub(crate) mod floating;
 #[cfg(test)]
 mod tests;
-
-pub use display::PolyDisplay;
 
 use crate::Ring;
 
@@ -199,5 +197,3 @@ impl<T: Ring> Poly<T> {
         result
     }
 }
-
-pub(crate) use floating::{absolute_sum, doubled_bound, horner_doubled, horner_with_bound};

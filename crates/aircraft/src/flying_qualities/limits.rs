@@ -1,6 +1,6 @@
 //! The numbers of MIL-F-8785C for the lateral modes: Tables VI, VII, VIII and paragraph 3.3.1.4 (pages 22 and 23).
 
-use super::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel};
+use super::classification::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel};
 
 use AircraftClass::{I, IICarrier, III, IILand, IV};
 use FlightPhaseCategory::{A, ACombat, B, C};

@@ -1,72 +1,9 @@
-//! The weight of the penalty, given or chosen on samples that the fit has not seen.
+//! The choice of the penalty's weight on samples that the fit has not seen.
 
-use super::{Regularization, Settings, fit::Penalised};
-use crate::{FitError, Segment, Structure, fit::count};
-
-/// The weight of the penalty.
-///
-/// # Example
-///
-/// ```
-/// use cfi_ident::regularized::Lambda;
-///
-/// // The last quarter of each segment decides between five decades.
-/// let lambda = Lambda::HoldOut { candidates: vec![1e-5, 1e-4, 1e-3, 1e-2, 1e-1], fraction: 0.25 };
-/// # let _ = lambda;
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub enum Lambda {
-    /// This value, at least 0.
-    Given(f64),
-    /// The candidate whose model predicts the held-out samples best, one step ahead. The fit is then repeated on all samples.
-    ///
-    /// With noise on both sensors the one-step prediction favours small weights: it rewards a model of the noise as well.
-    HoldOut {
-        /// Values to try, each at least 0.
-        candidates: Vec<f64>,
-        /// The share of each segment, taken from its end, that is held out: above 0 and below 1.
-        fraction: f64,
-    },
-}
-
-/// What one candidate reached.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct HoldOutScore {
-    /// The candidate.
-    pub lambda: f64,
-    /// Root mean square of the one-step prediction error on the held-out samples, in the unit of the pseudo output; `None` where
-    /// the solver failed.
-    pub prediction_rms: Option<f64>,
-}
-
-impl Lambda {
-    pub(crate) fn check(&self) -> Result<(), FitError> {
-        let weight = |value: f64| {
-            let needed = "finite and at least 0";
-            let good = value.is_finite() && value >= 0.0;
-            if good { Ok(()) } else { Err(FitError::BadValue { what: "lambda", value, needed }) }
-        };
-        match self {
-            Self::Given(value) => weight(*value),
-            Self::HoldOut { candidates, fraction } => {
-                if !(*fraction > 0.0 && *fraction < 1.0) {
-                    let what = "the held-out fraction";
-                    return Err(FitError::BadValue {
-                        what,
-                        value: *fraction,
-                        needed: "above 0 and below 1",
-                    });
-                }
-                if candidates.is_empty() {
-                    let what = "the number of candidates for lambda";
-                    return Err(FitError::BadValue { what, value: 0.0, needed: "at least 1" });
-                }
-                candidates.iter().try_for_each(|value| weight(*value))
-            }
-        }
-    }
-}
+use super::{
+    lambda::HoldOutScore, penalised::Penalised, penalty::Regularization, settings::Settings,
+};
+use crate::{FitError, Segment, Structure};
 
 /// The best candidate on held-out samples, and all scores in the order of the candidates. Of equal scores the larger weight wins.
 pub(crate) fn choose(
@@ -103,7 +40,7 @@ pub(crate) fn choose(
                     number += residuals.len();
                     squares += residuals.iter().map(|x| x * x).sum::<f64>();
                 }
-                Some((squares / count(number)).sqrt())
+                Some((squares / number as f64).sqrt())
             }
             Err(error @ FitError::Unsolved { .. }) => {
                 failure = Some(error);
@@ -135,5 +72,5 @@ pub(crate) fn choose(
     reason = "the product is between 0 and the number of samples"
 )]
 fn cut(samples: usize, fraction: f64) -> usize {
-    ((count(samples) * (1.0 - fraction)).round() as usize).min(samples)
+    ((samples as f64 * (1.0 - fraction)).round() as usize).min(samples)
 }

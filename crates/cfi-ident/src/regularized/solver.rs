@@ -6,8 +6,8 @@ use clarabel::{
 };
 
 use super::{
-    Settings,
     program::{Cone, Program},
+    settings::Settings,
 };
 use crate::FitError;
 

@@ -2,7 +2,7 @@ use nalgebra::{DMatrix, DVector};
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::{fit::Penalised, program::hankel_shape, *};
+use super::{penalised::Penalised, program::hankel_shape, *};
 use crate::{CfiModel, ConstantTerm, FitOptions, Orders, Segment, Structure};
 
 fn noise(samples: usize, seed: u64) -> Vec<f64> {

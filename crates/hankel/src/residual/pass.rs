@@ -1,16 +1,14 @@
 //! One pass over the data: residual and gradient, tile by tile.
 
-use doubled::DoubleDouble;
+use doubled::{DoubleDouble, exponent, power_of_two, times_power_of_two};
 use pulp::Arch;
 
 use crate::{
-    Column, Layout, LeastSquares,
+    Layout, LeastSquares,
+    column::{Column, signed},
     combination::{Combination, ROWS, Term},
-    in_order::in_order,
-    kernel::{BACK, FRONT, LagProducts, SLACK, TILE},
-    layout::signed,
-    plan::BLOCK,
-    scale::{exponent, power_of_two, scaled},
+    in_order::{Sharing, in_order},
+    kernel::{BACK, BLOCK, FRONT, LagProducts, SLACK, TILE, TILES_A_THREAD},
     scan::AllFinite,
     sums::times,
     tile::normalised,
@@ -72,7 +70,8 @@ impl Pass<'_> {
             let mut bench = Bench::new(self.layout, self.fit.target);
             jobs.iter().map(|job| bench.part(self, solution, job, arch)).collect()
         };
-        in_order(&jobs, self.threads, work, |part| {
+        let sharing = Sharing { threads: self.threads, least: TILES_A_THREAD };
+        in_order(&jobs, sharing, work, |part| {
             squares += DoubleDouble::from(part.squares);
             for (sum, new) in gradient.iter_mut().zip(&part.gradient) {
                 *sum += *new;
@@ -231,7 +230,7 @@ impl Bench {
         let terms: Vec<Term<'_>> = weighted
             .iter()
             .map(|(channel, start, weight, exponent)| Term {
-                weight: scaled(*weight, exponent - largest),
+                weight: times_power_of_two(*weight, exponent - largest),
                 samples: &self.samples[*channel],
                 start: *start,
             })

@@ -55,7 +55,7 @@ proptest! {
         })
     ) {
         let length = channels[0].len();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss,
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss,
             reason = "a place in a short record")]
         let mut cuts: Vec<usize> = cuts.iter().map(|c| (c * length as f64) as usize).collect();
         cuts.sort_unstable();
@@ -103,7 +103,6 @@ fn long_sums_of_integers_are_exact() {
     };
     let n = 30_000;
     let channels = [integers(n), integers(n)];
-    #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
     let floats: Vec<Vec<f64>> =
         channels.iter().map(|c| c.iter().map(|x| *x as f64).collect()).collect();
     let lags = [0_isize, 1, 2, 9, 30, 31, 100];

@@ -69,9 +69,9 @@ fn numerators_are_bordered_determinants() {
     };
     for n in 0..=5 {
         let a = DMatrix::from_fn(n, n, |_, _| next());
-        let b: Vec<i64> = (0..n).map(|_| next()).collect();
-        let c: Vec<i64> = (0..n).map(|_| next()).collect();
-        let d = next();
+        let b = DMatrix::from_fn(n, 1, |_, _| next());
+        let c = DMatrix::from_fn(1, n, |_, _| next());
+        let d = dmatrix![next()];
         let mut entries = Vec::new();
         for i in 0..=n {
             for j in 0..=n {
@@ -79,13 +79,14 @@ fn numerators_are_bordered_determinants() {
                     (true, true) => Poly::new(vec![-a[(i, j)], i64::from(i == j)]),
                     (true, false) => Poly::constant(-b[i]),
                     (false, true) => Poly::constant(c[j]),
-                    (false, false) => Poly::constant(d),
+                    (false, false) => Poly::constant(d[0]),
                 });
             }
         }
         let determinant =
             PolyMatrix::new(n + 1, n + 1, entries).and_then(|m| m.determinant()).expect("square");
-        assert_eq!(resolvent_numerator(&a, &b, &c, &d).expect("fits"), determinant, "order {n}");
+        let found = resolvent_numerators(&a, &b, &c, &d).expect("fits").numerators;
+        assert_eq!(found, [[determinant]], "order {n}");
     }
 }
 
@@ -101,20 +102,16 @@ fn no_states() {
 #[test]
 fn shapes() {
     let a = DMatrix::<i64>::identity(2, 2);
-    let check = |result: Result<Poly<i64>, LtiError>, wanted: &str| {
-        assert_eq!(result.expect_err(wanted).to_string(), wanted);
-    };
-    check(resolvent_numerator(&a, &[1], &[1, 1], &0), "b is 1 x 1; 2 x 1 is needed");
-    check(resolvent_numerator(&a, &[1, 1], &[1], &0), "c is 1 x 1; 1 x 2 is needed");
+    let [zeros_1_2, zeros_2_1] = [DMatrix::zeros(1, 2), DMatrix::zeros(2, 1)];
+    let check = |error: LtiError, wanted: &str| assert_eq!(error.to_string(), wanted);
     check(
-        resolvent_numerator(&DMatrix::zeros(1, 2), &[1], &[1], &0),
+        resolvent_numerators(&zeros_1_2, &zeros_2_1, &zeros_1_2, &dmatrix![0]).expect_err("A"),
         "A is 1 x 2; a square matrix is needed",
     );
-    let result = resolvent_numerators(
-        &a,
-        &DMatrix::zeros(2, 1),
-        &DMatrix::zeros(1, 2),
-        &DMatrix::zeros(1, 2),
+    check(
+        resolvent_numerators(&a, &zeros_2_1, &zeros_1_2, &zeros_1_2).expect_err("D"),
+        "D is 1 x 2; 1 x 1 is needed",
     );
-    assert_eq!(result.expect_err("D").to_string(), "D is 1 x 2; 1 x 1 is needed");
+    check(check_vectors(2, &[1], &[1, 1]).expect_err("b"), "b is 1 x 1; 2 x 1 is needed");
+    check(check_vectors(2, &[1, 1], &[1]).expect_err("c"), "c is 1 x 1; 1 x 2 is needed");
 }

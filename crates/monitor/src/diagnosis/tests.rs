@@ -15,11 +15,11 @@ fn window(level: f64, spread: f64) -> Window {
 
 #[test]
 fn a_jump_and_a_drift_are_told_apart() {
-    let noise = |k: usize| count(k * k * 7 % 5) / 5.0 - 0.4;
+    let noise = |k: usize| (k * k * 7 % 5) as f64 / 5.0 - 0.4;
     let jump: Vec<Window> =
         (0..40).map(|k| window(noise(k) + if k < 20 { 0.0 } else { 6.0 }, 0.0)).collect();
     let drift: Vec<Window> =
-        (0..40).map(|k| window(noise(k) + count(k.saturating_sub(20)) * 0.5, 0.0)).collect();
+        (0..40).map(|k| window(noise(k) + k.saturating_sub(20) as f64 * 0.5, 0.0)).collect();
     assert_eq!(level_change(&jump, 20, 0), Change::Bias);
     assert_eq!(level_change(&drift, 24, 0), Change::Drift);
 }

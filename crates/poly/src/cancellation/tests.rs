@@ -1,7 +1,7 @@
 //! Tests of cancellation with planted common roots.
 #![expect(clippy::float_cmp, reason = "exact values are promised where they are compared")]
 
-use crate::{Cancellation, Complex, Poly, PolyError, Rational, ZeroPoleGain};
+use super::*;
 
 fn c(re: f64, im: f64) -> Complex<f64> {
     Complex::new(re, im)
@@ -14,49 +14,58 @@ fn real(list: &[f64]) -> Vec<Complex<f64>> {
 #[test]
 fn closest_pairs_go_first() {
     // The pole 1 lies between the zeros 1 - 3e-7 and 1 + 1e-7: the nearer one cancels, the other is left.
-    let g = ZeroPoleGain::new(real(&[1.0 - 3e-7, 1.0 + 1e-7]), real(&[1.0, 5.0]), 2.0).unwrap();
-    let cancelled = g.cancel(&Cancellation::default()).unwrap();
-    assert_eq!(cancelled.pairs.len(), 1);
-    assert_eq!(cancelled.pairs[0].zero, c(1.0 + 1e-7, 0.0));
-    assert_eq!(
-        (cancelled.zeros, cancelled.poles, cancelled.gain),
-        (real(&[1.0 - 3e-7]), real(&[5.0]), 2.0)
-    );
-    let left = cancelled.closest_left.unwrap();
+    let (zeros, poles) = (real(&[1.0 - 3e-7, 1.0 + 1e-7]), real(&[1.0, 5.0]));
+    let found = cancelled(&zeros, &poles, 2.0, &Cancellation::default()).unwrap();
+    assert_eq!(found.pairs.len(), 1);
+    assert_eq!(found.pairs[0].zero, c(1.0 + 1e-7, 0.0));
+    assert_eq!((found.zeros, found.poles, found.gain), (real(&[1.0 - 3e-7]), real(&[5.0]), 2.0));
+    let left = found.closest_left.unwrap();
     assert_eq!(left.distance, 5.0 - (1.0 - 3e-7));
-    assert_eq!(cancelled.rational.denominator().descending(), [1.0, -5.0]);
+    assert_eq!(found.rational.denominator().descending(), [1.0, -5.0]);
 }
 
 #[test]
 fn conjugates_go_together() {
     let z = c(0.97, 0.17);
     let near = z + c(3e-8, -4e-8);
-    let g =
-        ZeroPoleGain::new(vec![z, z.conj(), c(0.2, 0.0)], vec![near.conj(), near], 1.0).unwrap();
-    let cancelled = g.cancel(&Cancellation::within(1e-7)).unwrap();
-    assert_eq!(cancelled.pairs.len(), 2);
-    assert!((cancelled.pairs[0].distance - 5e-8).abs() < 1e-15);
-    assert_eq!(cancelled.pairs[0].zero, cancelled.pairs[1].zero.conj());
-    assert!(cancelled.poles.is_empty() && cancelled.closest_left.is_none());
-    assert_eq!(cancelled.rational.denominator(), &Poly::one());
+    let (zeros, poles) = ([c(0.2, 0.0), z, z.conj()], [near, near.conj()]);
+    let found = cancelled(&zeros, &poles, 1.0, &Cancellation::within(1e-7)).unwrap();
+    assert_eq!(found.pairs.len(), 2);
+    assert!((found.pairs[0].distance - 5e-8).abs() < 1e-15);
+    assert_eq!(found.pairs[0].zero, found.pairs[1].zero.conj());
+    assert!(found.poles.is_empty() && found.closest_left.is_none());
+    assert_eq!(found.rational.denominator(), &Poly::one());
     // A real zero never takes half of a pair away.
-    let g = ZeroPoleGain::new(real(&[1.0]), vec![c(1.0, 1e-7), c(1.0, -1e-7)], 1.0).unwrap();
-    assert!(g.cancel(&Cancellation::default()).unwrap().pairs.is_empty());
+    let pair = [c(1.0, 1e-7), c(1.0, -1e-7)];
+    let found = cancelled(&real(&[1.0]), &pair, 1.0, &Cancellation::default()).unwrap();
+    assert!(found.pairs.is_empty());
 }
 
 #[test]
 fn distances_decide() {
-    let g = ZeroPoleGain::new(real(&[100.0]), real(&[100.001]), 1.0).unwrap();
-    assert!(g.cancel(&Cancellation::default()).unwrap().pairs.is_empty());
+    let pairs = |zeros: &[f64], poles: &[f64], options: &Cancellation| {
+        cancelled(&real(zeros), &real(poles), 1.0, options).map(|found| found.pairs.len())
+    };
+    assert_eq!(pairs(&[100.0], &[100.001], &Cancellation::default()), Ok(0));
     let relative = Cancellation { relative: 1e-4, ..Cancellation::within(0.0) };
-    assert_eq!(g.cancel(&relative).unwrap().pairs.len(), 1);
+    assert_eq!(pairs(&[100.0], &[100.001], &relative), Ok(1));
     // Exactly at the distance counts; nothing but exact agreement at zero.
-    let g = ZeroPoleGain::new(real(&[0.5, 2.0]), real(&[0.75, 2.0]), 1.0).unwrap();
-    assert_eq!(g.cancel(&Cancellation::within(0.25)).unwrap().pairs.len(), 2);
-    assert_eq!(g.cancel(&Cancellation::within(0.0)).unwrap().pairs.len(), 1);
-    let bad = g.cancel(&Cancellation::within(-1.0));
-    assert!(matches!(bad, Err(PolyError::InvalidTolerance { name: "absolute", .. })));
-    assert!(g.cancel(&Cancellation::within(f64::NAN)).is_err());
+    let check = |distance| pairs(&[0.5, 2.0], &[0.75, 2.0], &Cancellation::within(distance));
+    assert_eq!(check(0.25), Ok(2));
+    assert_eq!(check(0.0), Ok(1));
+    assert!(matches!(check(-1.0), Err(PolyError::InvalidTolerance { name: "absolute", .. })));
+    assert!(check(f64::NAN).is_err());
+}
+
+#[test]
+fn what_leaves_the_range_of_floats_is_refused() {
+    let options = Cancellation::default();
+    let infinite = cancelled(&[], &[], f64::INFINITY, &options);
+    assert!(matches!(infinite, Err(PolyError::NonFiniteValue { what: "gain", .. })));
+    let huge = cancelled(&real(&[1e200, 1e200]), &[], 1.0, &options);
+    assert_eq!(huge, Err(PolyError::Overflow { degree: 0 }));
+    let large = cancelled(&real(&[1e200]), &[], 1e200, &options);
+    assert_eq!(large, Err(PolyError::Overflow { degree: 0 }));
 }
 
 #[test]

@@ -81,7 +81,7 @@ impl PolyMatrix<f64> {
         coefficients.resize(moduli.coefficients().len(), 0.0);
         // Each coefficient is a sum over products of up to n factors; one rounding per product and per sum.
         let terms = self.rows * (self.degree().unwrap_or(0) + 1 + self.rows);
-        let unit = 0.5 * f64::EPSILON * float(terms + 2);
+        let unit = 0.5 * f64::EPSILON * (terms + 2) as f64;
         let errors = moduli.coefficients().iter().map(|m| unit * m).collect();
         Ok((coefficients, errors))
     }
@@ -119,7 +119,7 @@ impl PolyMatrix<f64> {
         let mut values = Vec::with_capacity(count);
         let mut largest = 0.0_f64;
         for k in 0..count {
-            let node = C::from_polar(1.0, TAU * float(k) / float(count));
+            let node = C::from_polar(1.0, TAU * k as f64 / count as f64);
             let matrix: Vec<C> = scaled
                 .iter()
                 .map(|p| p.iter().rev().fold(C::new(0.0, 0.0), |v, &c| v * node + c))
@@ -130,18 +130,18 @@ impl PolyMatrix<f64> {
         }
         let mut coefficients = Vec::with_capacity(count);
         let mut errors = Vec::with_capacity(count);
-        let error = 4.0 * float(n) * f64::EPSILON * largest;
+        let error = 4.0 * n as f64 * f64::EPSILON * largest;
         for degree in 0..count {
             let sum: C = values
                 .iter()
                 .enumerate()
                 .map(|(k, v)| {
-                    let turn = float((k * degree) % count) / float(count);
+                    let turn = ((k * degree) % count) as f64 / count as f64;
                     v * C::from_polar(1.0, -TAU * turn)
                 })
                 .sum();
             let back = i64::try_from(degree).map_or(0, |k| row_shifts - exponent * k);
-            coefficients.push(times_power(sum.re / float(count), back));
+            coefficients.push(times_power(sum.re / count as f64, back));
             errors.push(times_power(error, back));
         }
         (coefficients, errors)
@@ -156,7 +156,7 @@ impl PolyMatrix<f64> {
             (0..=degree).map(|k| (k, largest(k))).filter(|(_, h)| *h > 0.0).collect();
         match (heights.first(), heights.last()) {
             (Some(&(low, bottom)), Some(&(high, top))) if high > low => {
-                floor(((bottom.log2() - top.log2()) / float(high - low)).round())
+                floor(((bottom.log2() - top.log2()) / (high - low) as f64).round())
             }
             _ => 0,
         }
@@ -223,8 +223,4 @@ fn floor(x: f64) -> i64 {
     #[expect(clippy::cast_possible_truncation, reason = "a binary logarithm of a float")]
     let integer = x.clamp(-1e6, 1e6).floor() as i64;
     integer
-}
-
-fn float(n: usize) -> f64 {
-    u32::try_from(n).map_or(f64::INFINITY, f64::from)
 }

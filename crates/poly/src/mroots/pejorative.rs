@@ -173,7 +173,7 @@ impl Target {
             }
         }
         let (size, unknowns, factor) = best?;
-        let count = u32::try_from(self.coefficients.len()).map_or(f64::INFINITY, f64::from);
+        let count = self.coefficients.len() as f64;
         if size / count.sqrt() > tolerance {
             return None;
         }
@@ -213,7 +213,7 @@ impl Target {
             if let Some(own) = others.iter().position(|&z| z == value) {
                 others.remove(own);
             }
-            let count = u32::try_from(multiplicity).map_or(f64::INFINITY, f64::from);
+            let count = multiplicity as f64;
             let mut column = times(&common, others.into_iter());
             for c in &mut column {
                 *c *= -value * count;

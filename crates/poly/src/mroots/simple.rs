@@ -1,7 +1,7 @@
 //! All roots taken as simple: approximation, symmetry, a last Newton step, condition and residual.
 
 use super::conjugate::symmetrize;
-use super::{Method, Mroots, Root};
+use super::multiset::{Mroots, MrootsMethod, Root};
 use crate::PolyError;
 use crate::aberth::{Precision, ScaledPoly, scale_by_power};
 use num_complex::Complex;
@@ -24,7 +24,7 @@ pub(crate) fn simple_roots(
     let roots: Vec<Root> = values.iter().map(|&z| describe(p, z)).collect();
     Ok(Mroots {
         roots,
-        method: Method::Simple,
+        method: MrootsMethod::Simple,
         backward_error: 0.0,
         iterations: approximations.iterations,
         converged: approximations.converged,
@@ -64,7 +64,7 @@ pub(crate) fn describe(p: &mut ScaledPoly, z: Complex<f64>) -> Root {
     let exponent = ScaledPoly::exponent(z);
     let y = scale_by_power(z, -exponent);
     let at = p.evaluate(y, exponent, Precision::Doubled);
-    let degree = u32::try_from(p.degree()).map_or(f64::INFINITY, f64::from);
+    let degree = p.degree() as f64;
     let slope = at.derivative.norm();
     let radius = degree * (at.value.norm() + at.bound) / slope;
     Root {

@@ -7,8 +7,9 @@
 //! nearest polynomial explains the coefficients within their error, and whose clusters stand apart.
 
 use super::common_factor;
+use super::multiset::Root;
+use super::options::MrootsOptions;
 use super::pejorative::{Fit, Multiple, Target};
-use super::{MrootsOptions, Root};
 use crate::aberth::{ScaledPoly, scale_by_power};
 use num_complex::Complex;
 
@@ -145,7 +146,7 @@ fn merge(roots: &[Root], labels: &[usize]) -> Vec<Cluster> {
 
 fn cluster(members: &[C], others: impl Iterator<Item = C> + Clone) -> Cluster {
     let multiplicity = members.len();
-    let count = u32::try_from(multiplicity).map_or(f64::INFINITY, f64::from);
+    let count = multiplicity as f64;
     // Shares are summed, so that nothing overflows; conjugates cancel exactly in pairs.
     let mut value: C = members.iter().map(|z| z / count).sum();
     if members.iter().map(|z| z.im).filter(|&im| im > 0.0).count()

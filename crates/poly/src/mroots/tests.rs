@@ -1,6 +1,6 @@
 //! Tests of the roots: closed forms, planted multiplicities, limits of scale, bad input.
 
-use super::{Method, MrootsOptions, Multiplicities, mroots};
+use super::{MrootsMethod, MrootsOptions, Multiplicities, mroots};
 use crate::{Complex, Poly, PolyError};
 use proptest::prelude::*;
 
@@ -159,7 +159,7 @@ fn roots_of_unity() {
     let mut descending = vec![0.0; 101];
     (descending[0], descending[100]) = (1.0, -1.0);
     let found = mroots(&Poly::from_descending(&descending), &MrootsOptions::default()).unwrap();
-    assert_eq!(found.method, Method::Simple);
+    assert_eq!(found.method, MrootsMethod::Simple);
     assert_eq!(found.roots[0].value, c(-1.0, 0.0));
     assert_eq!(found.roots[99].value, c(1.0, 0.0));
     for root in &found.roots {
@@ -173,7 +173,7 @@ fn wilkinson() {
     let integers: Vec<C> = (1..=20).map(|k| c(f64::from(k), 0.0)).collect();
     let p = Poly::real_from_roots(&integers).unwrap();
     let found = mroots(&p, &MrootsOptions::default()).unwrap();
-    assert_eq!(found.method, Method::Simple);
+    assert_eq!(found.method, MrootsMethod::Simple);
     assert!(found.backward_error < 1e-15, "{:e}", found.backward_error);
     let worst = found.roots.iter().map(|r| r.condition).fold(0.0, f64::max);
     assert!(worst > 5e13 && worst < 6e13, "the condition of root 14 is 5.4e13: {worst:e}");
@@ -263,7 +263,7 @@ fn complex_coefficients() {
 fn pejorative_condition() {
     // (x - 1)^20: changes of the coefficients that keep one 20-fold root move it by about 1/7 of their size.
     let found = mroots(&planted(&[(1.0, 0.0, 20)]), &MrootsOptions::default()).unwrap();
-    assert_eq!(found.method, Method::Pejorative);
+    assert_eq!(found.method, MrootsMethod::Pejorative);
     assert!((0.1..0.2).contains(&found.roots[0].condition), "{}", found.roots[0].condition);
     // For simple roots, both definitions agree: x^2 - 3x + 2 has 6/1 at 1 and 16/2 ... over |z|: 12/2 = 6 at 2.
     let simple =
@@ -277,7 +277,7 @@ fn simple_on_request() {
     let options =
         MrootsOptions { multiplicities: Multiplicities::AllSimple, ..MrootsOptions::default() };
     let found = mroots(&p, &options).unwrap();
-    assert_eq!(found.method, Method::Simple);
+    assert_eq!(found.method, MrootsMethod::Simple);
     assert_eq!(found.values().len(), 3);
     assert!(found.roots.iter().all(|root| (root.value - 1.0).norm() < 1e-9));
 }
@@ -346,7 +346,7 @@ proptest! {
             });
             let near = near.fold(f64::INFINITY, f64::min);
             // Merged pairs are as far from the planted ones as half a root of the error may bring them.
-            prop_assert!(near < 1.0 || found.method == Method::Pejorative, "{}: {} in {:#?}", z, near, found);
+            prop_assert!(near < 1.0 || found.method == MrootsMethod::Pejorative, "{}: {} in {:#?}", z, near, found);
         }
     }
 

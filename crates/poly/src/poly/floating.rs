@@ -1,7 +1,7 @@
 //! What only floating-point polynomials have: error bounds, complex arguments, roots rounded once.
 
 use crate::leja::leja_order;
-use crate::{Evaluation, Poly, PolyError};
+use crate::{Poly, PolyError};
 use doubled::{DoubleDouble, DoubleDoubleComplex};
 use num_complex::Complex;
 
@@ -14,8 +14,14 @@ const COMPLEX_PRODUCT: f64 = 2.24;
 /// Error of one doubled-precision complex step of Horner's rule, in squares of the unit roundoff, rounded up.
 const DOUBLED_STEP: f64 = 32.0;
 
-fn count(n: usize) -> f64 {
-    u32::try_from(n).map_or(f64::INFINITY, f64::from)
+/// A computed value with a bound on its rounding error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct BoundedValue<T> {
+    /// The computed value.
+    pub value: T,
+    /// The exact value lies within this distance, barring underflow.
+    pub error_bound: f64,
 }
 
 /// Horner's rule with a running error bound; the first error factor belongs to one product.
@@ -23,7 +29,7 @@ pub(crate) fn horner_with_bound(
     coefficients: &[Complex<f64>],
     x: Complex<f64>,
     product_error: f64,
-) -> Evaluation<Complex<f64>> {
+) -> BoundedValue<Complex<f64>> {
     let modulus = x.norm();
     let mut value = Complex::new(0.0, 0.0);
     let mut error = 0.0;
@@ -32,8 +38,8 @@ pub(crate) fn horner_with_bound(
         value = product + c;
         error = modulus * error + product_error * product.norm() + value.norm();
     }
-    let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * count(coefficients.len());
-    Evaluation { value, error_bound: UNIT_ROUNDOFF * error * slack }
+    let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * coefficients.len() as f64;
+    BoundedValue { value, error_bound: UNIT_ROUNDOFF * error * slack }
 }
 
 /// Sum of `|c_k| |x|^k`: what the rounding errors of Horner's rule are measured by.
@@ -58,7 +64,7 @@ pub(crate) fn horner_doubled(
 /// Bound on the error of [`horner_doubled`]'s value before it is rounded to a float.
 pub(crate) fn doubled_bound(coefficients: &[Complex<f64>], modulus: f64) -> f64 {
     DOUBLED_STEP
-        * count(coefficients.len())
+        * coefficients.len() as f64
         * UNIT_ROUNDOFF
         * UNIT_ROUNDOFF
         * absolute_sum(coefficients, modulus)
@@ -91,7 +97,7 @@ impl Poly<f64> {
     /// assert_eq!(far.value, 128.0);
     /// assert!(far.error_bound < 1e-11);
     /// ```
-    pub fn eval_with_bound(&self, x: f64) -> Evaluation<f64> {
+    pub fn eval_with_bound(&self, x: f64) -> BoundedValue<f64> {
         let modulus = x.abs();
         let mut value = 0.0_f64;
         let mut error = 0.0_f64;
@@ -100,8 +106,8 @@ impl Poly<f64> {
             value = product + c;
             error = modulus * error + product.abs() + value.abs();
         }
-        let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * count(self.coefficients.len());
-        Evaluation { value, error_bound: UNIT_ROUNDOFF * error * slack }
+        let slack = 1.0 + 8.0 * UNIT_ROUNDOFF * self.coefficients.len() as f64;
+        BoundedValue { value, error_bound: UNIT_ROUNDOFF * error * slack }
     }
 
     /// The value at `x` as if computed with twice the precision and then rounded, with a bound on its error.
@@ -117,7 +123,7 @@ impl Poly<f64> {
     /// let near = p.eval_compensated(1.0 + 1.0 / 1024.0);
     /// assert!((near.value / 2f64.powi(-70) - 1.0).abs() < 1e-7);
     /// ```
-    pub fn eval_compensated(&self, x: f64) -> Evaluation<f64> {
+    pub fn eval_compensated(&self, x: f64) -> BoundedValue<f64> {
         let argument = DoubleDouble::from(x);
         let mut value = DoubleDouble::ZERO;
         let mut sum = 0.0;
@@ -126,8 +132,8 @@ impl Poly<f64> {
             sum = sum * x.abs() + c.abs();
         }
         let value = value.value();
-        let tail = DOUBLED_STEP * count(self.coefficients.len()) * UNIT_ROUNDOFF * UNIT_ROUNDOFF;
-        Evaluation { value, error_bound: UNIT_ROUNDOFF * value.abs() + tail * sum }
+        let tail = DOUBLED_STEP * self.coefficients.len() as f64 * UNIT_ROUNDOFF * UNIT_ROUNDOFF;
+        BoundedValue { value, error_bound: UNIT_ROUNDOFF * value.abs() + tail * sum }
     }
 
     /// The polynomial without its leading coefficients of modulus at most `relative_tolerance` times the largest.
@@ -225,15 +231,15 @@ impl Poly<Complex<f64>> {
     /// The value at `x` with a running bound on its rounding error.
     ///
     /// Higham 2002, algorithm 5.1, with the larger error of complex products.
-    pub fn eval_with_bound(&self, x: Complex<f64>) -> Evaluation<Complex<f64>> {
+    pub fn eval_with_bound(&self, x: Complex<f64>) -> BoundedValue<Complex<f64>> {
         horner_with_bound(&self.coefficients, x, COMPLEX_PRODUCT)
     }
 
     /// The value at `x` as if computed with twice the precision and then rounded, with a bound on its error.
-    pub fn eval_compensated(&self, x: Complex<f64>) -> Evaluation<Complex<f64>> {
+    pub fn eval_compensated(&self, x: Complex<f64>) -> BoundedValue<Complex<f64>> {
         let value = horner_doubled(&self.coefficients, x.into()).0.value();
         let tail = doubled_bound(&self.coefficients, x.norm());
-        Evaluation { value, error_bound: UNIT_ROUNDOFF * value.norm() + tail }
+        BoundedValue { value, error_bound: UNIT_ROUNDOFF * value.norm() + tail }
     }
 
     /// The polynomial without its leading coefficients of modulus at most `relative_tolerance` times the largest.

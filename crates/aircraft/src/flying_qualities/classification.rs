@@ -1,9 +1,54 @@
-//! Classes, categories and levels as people write them.
+//! Classes of aircraft, categories of flight phases and levels: what the standard tells apart, and the words for it.
 
 use std::fmt;
 use std::str::FromStr;
 
-use super::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel};
+/// Size and manoeuvrability of an aircraft (MIL-F-8785C, paragraph 1.3).
+///
+/// Class II is told apart where the tables do so, in Category C: by land and by carrier. [`AircraftClass`] is read from and shown as
+/// `I`, `II-L`, `II-C`, `III` and `IV`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum AircraftClass {
+    /// Small and light: utility, primary trainer, observation.
+    I,
+    /// Medium weight, low to medium manoeuvrability, operated from land: transport, tanker, reconnaissance.
+    #[doc(alias = "II-L")]
+    IILand,
+    /// The same, operated from a carrier.
+    #[doc(alias = "II-C")]
+    IICarrier,
+    /// Large and heavy, low to medium manoeuvrability: heavy transport, bomber, patrol.
+    III,
+    /// Highly manoeuvrable: fighter, attack.
+    IV,
+}
+
+/// What is being flown (MIL-F-8785C, paragraph 1.4). Read from and shown as `A-CO`, `A`, `B` and `C`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FlightPhaseCategory {
+    /// Category A, air-to-air combat (CO) or ground attack (GA): Table VI asks more damping of Class IV there.
+    #[doc(alias("CO", "GA"))]
+    ACombat,
+    /// Rapid manoeuvring, precise tracking or precise control of the flight path, other than CO and GA.
+    A,
+    /// Gradual manoeuvres without precise tracking: climb, cruise, loiter, descent.
+    B,
+    /// Terminal: takeoff, approach, landing.
+    C,
+}
+
+/// How well an aircraft suits its mission (MIL-F-8785C, paragraph 1.5); the better level is the smaller one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum FlyingQualityLevel {
+    /// Clearly adequate.
+    One,
+    /// Adequate, with more work for the pilot or a less effective mission.
+    Two,
+    /// Safe to control, but with too much work or too little effect.
+    Three,
+    /// The limits of Level 3 are not met.
+    Worse,
+}
 
 /// A word that names no class or category of MIL-F-8785C.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
