@@ -1,8 +1,7 @@
 //! The JSON of `transmode identify` holds the library's own numbers, and is of the form that its schema describes.
 
-use reconstruct::{
-    Channel, Method, NoiseModel, Options, OrderChoice, Reconstruction, Record, reconstruct,
-};
+use reconstruct::subspace::OrderChoice;
+use reconstruct::{Channel, Method, NoiseModel, Options, Reconstruction, Record, reconstruct};
 use serde_json::Value;
 use transmode::Exit;
 
@@ -177,7 +176,7 @@ fn signal_subspaces() {
 fn as_printed() {
     for pair in PAIRS {
         let json = agree(pair, &["--method", "as-printed"], |options| {
-            options.method = Method::AsPrinted;
+            options.method = Method::Paper;
         });
         assert_eq!(json["transmissibilities"].as_array().unwrap().len(), 4);
         assert!(json["noise_origin"].is_null() && json["records"][0]["excitation_rank"].is_null());
@@ -211,19 +210,19 @@ fn offsets_trend_band_and_feedthrough_as_given() {
         "4",
     ];
     let json = agree("white_snr100", &words, |options| {
-        options.offsets = reconstruct::Offsets::PriorDeviation(vec![0.1, 0.2, 0.3]);
-        options.trend = reconstruct::Trend::Linear;
-        options.band = Some(reconstruct::FrequencyBand { lowest_rad_s: 0.05, highest_rad_s: 20.0 });
-        options.feedthrough_sensors = vec![2, 0];
+        options.measurement.offsets = reconstruct::Offsets::PriorDeviation(vec![0.1, 0.2, 0.3]);
+        options.measurement.trend = reconstruct::Trend::Linear;
+        options.band = Some(reconstruct::likelihood::FrequencyBand { lowest_rad_s: 0.05, highest_rad_s: 20.0 });
+        options.measurement.feedthrough_sensors = vec![2, 0];
         options.order = OrderChoice::Fixed(4);
     });
     assert_eq!(json["band_rad_s"], serde_json::json!([0.05, 20.0]));
     agree("white_snr100", &["--offsets", "free"], |options| {
-        options.offsets = reconstruct::Offsets::Free;
+        options.measurement.offsets = reconstruct::Offsets::Free;
     });
     for (word, hold) in [
-        ("zero-order", reconstruct::Hold::ZeroOrder),
-        ("first-order", reconstruct::Hold::FirstOrder),
+        ("zero-order", reconstruct::likelihood::Hold::ZeroOrder),
+        ("first-order", reconstruct::likelihood::Hold::FirstOrder),
     ] {
         let json = agree("white_snr100", &["--hold", word, "--order", "4"], |options| {
             options.hold = Some(hold);

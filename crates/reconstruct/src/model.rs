@@ -1,6 +1,5 @@
 //! What do the records hold, and what do they have in common? Records, the system that they share, and what is known about their noise.
 
-pub(crate) mod in_order;
 pub(crate) mod known_inputs;
 pub(crate) mod matching;
 mod measurement;

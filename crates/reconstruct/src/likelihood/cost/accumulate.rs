@@ -8,13 +8,14 @@
 
 use std::ops::Range;
 
+use hankel::{Sharing, in_order};
+
 use super::frequency_block::FrequencyBlock;
 use super::record_system::RecordSystem;
 use super::schur_form::SchurForm;
 use super::simd::WIDTH;
 use super::spectrum::RecordSpectrum;
 use super::sums::{Sums, TILE, Tile, Totals};
-use crate::model::in_order::in_order;
 
 /// Frequencies that one thread sums at a time. A record is cut there whatever the number of threads, so that its sums do not depend on that.
 const SHARE: usize = 512 * TILE;
@@ -49,7 +50,7 @@ pub(crate) fn accumulate(
         .step_by(SHARE)
         .map(|first| first..frequencies.min(first + SHARE))
         .collect();
-    let parts = in_order(&shares, threads, |share| {
+    let sum = |share: &Range<usize>| {
         let mut sums = Sums::zero(n, m, count, keep_spectrum);
         let mut totals = Totals::new(n, m, count);
         pulp::Arch::new().dispatch(Loop {
@@ -62,11 +63,19 @@ pub(crate) fn accumulate(
         });
         totals.give(&mut sums);
         sums
-    });
-    let mut parts = parts.into_iter();
-    let Some(mut first) = parts.next() else { return all };
-    parts.for_each(|part| first.add(part));
-    first
+    };
+    let mut total: Option<Sums> = None;
+    let sharing = Sharing { threads, least: 1 };
+    in_order(
+        &shares,
+        sharing,
+        |shares| shares.iter().map(sum).collect(),
+        |part| match &mut total {
+            Some(total) => total.add(part),
+            None => total = Some(part),
+        },
+    );
+    total.unwrap_or(all)
 }
 
 /// The loop over frequencies, compiled once for each kind of vectors.
