@@ -7,7 +7,7 @@ use reconstruct::Record;
 use super::model_file::ModelFile;
 use crate::CommandError;
 use crate::args::MonitorArgs;
-use crate::numbers::{number, whole, without_rounding};
+use crate::numbers::{whole, without_rounding};
 use crate::records::{Loaded, is_same_period};
 
 /// Samples in a span where no other length is asked for.
@@ -29,12 +29,12 @@ pub(super) struct Reference {
 
 impl Reference {
     pub(super) fn span_s(&self) -> f64 {
-        self.period_s * number(self.detector.options().window)
+        self.period_s * self.detector.options().window as f64
     }
 
     /// The time of a sample of a record that starts then, without what rounding adds.
     pub(super) fn time(&self, start_s: f64, sample: usize) -> f64 {
-        without_rounding(start_s + self.period_s * number(sample))
+        without_rounding(start_s + self.period_s * sample as f64)
     }
 
     /// How many healthy spans raise an alarm in an hour.

@@ -19,7 +19,7 @@ use super::source;
 use super::table::Table;
 use super::timing::{Times, scale};
 use super::warning::LoadWarning;
-use crate::numbers::{number, without_rounding};
+use crate::numbers::without_rounding;
 use crate::{CommandError, SelectionError};
 
 /// Records and where they come from.
@@ -270,7 +270,7 @@ impl Recording<'_> {
         let known = channels.split_off(self.units.len());
         let period = SamplePeriod::new(match factor.get() {
             1 => period_s,
-            factor => without_rounding(period_s * number(factor)),
+            factor => without_rounding(period_s * factor as f64),
         });
         let period = period.map_err(|error| in_file(self.file, &error))?;
         let record =

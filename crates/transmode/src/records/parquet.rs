@@ -62,7 +62,6 @@ pub(crate) fn read(
                 ColumnReader::Int32ColumnReader(reader) => {
                     numbers(reader, highest, f64::from, values)
                 }
-                #[expect(clippy::cast_precision_loss, reason = "a sensor has fewer than 53 bits")]
                 ColumnReader::Int64ColumnReader(reader) => {
                     numbers(reader, highest, |x| x as f64, values)
                 }

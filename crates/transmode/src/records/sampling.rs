@@ -93,7 +93,6 @@ pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
     }
     // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
     // so that records of different length have the same period.
-    #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
     let (count, last) =
         (count as f64, time_s.iter().fold(0.0_f64, |last, time| last.max(time.abs())));
     // Stamps are as close as numbers of their size can be.

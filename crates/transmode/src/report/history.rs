@@ -6,7 +6,6 @@ use super::style::{LARGEST_RECORDS, LARGEST_SENSORS, channel_name, drawn, with_u
 use super::thinning::extremes;
 use super::{Input, style};
 use crate::CommandError;
-use crate::numbers::number;
 
 pub(super) const ID: &str = "records";
 
@@ -33,7 +32,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
         let start_s = input.sources.get(index).map_or(0.0, |source| source.span_s[0]);
         for sensor in 0..shown {
             let Ok(channel) = record.get(sensor) else { continue };
-            let time = |k: usize| start_s + number(k) * record.period().seconds();
+            let time = |k: usize| start_s + k as f64 * record.period().seconds();
             let xy: Vec<(f64, f64)> = extremes(&channel.values, COLUMNS)
                 .into_iter()
                 .map(|k| (time(k), channel.values[k]))

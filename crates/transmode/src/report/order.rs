@@ -4,7 +4,6 @@ use reconstruct::{ComparedOrder, OrderEvidence};
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points, Stems};
 
 use super::Input;
-use crate::numbers::number;
 use crate::{CommandError, orders};
 
 pub(super) const ID: &str = "order";
@@ -25,7 +24,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     let values = evidence.eigenvalues.iter().enumerate().take(LARGEST_EIGENVALUES);
     let values: Vec<(f64, f64)> = values
         .filter(|(_, value)| **value > 0.0)
-        .map(|(k, value)| (number(k + 1), *value))
+        .map(|(k, value)| ((k + 1) as f64, *value))
         .collect();
     let mut figure =
         Figure::new(ID, "Evidence for the order", caption(evidence, &input.result.compared_orders))
@@ -33,11 +32,11 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     if !gaps.is_empty() {
         let split = |used: bool| {
             let own = gaps.iter().filter(move |(order, _)| (*order == evidence.order) == used);
-            own.map(|(order, gap)| (number(*order), *gap)).collect::<Vec<_>>()
+            own.map(|(order, gap)| (*order as f64, *gap)).collect::<Vec<_>>()
         };
         let largest = gaps.iter().map(|(_, gap)| *gap).fold(10.0, f64::max);
         let highest = gaps.iter().map(|(order, _)| *order).max().unwrap_or(1);
-        let x = Axis::linear("order").range(0.0, number(highest + 1));
+        let x = Axis::linear("order").range(0.0, (highest + 1) as f64);
         let mut panel =
             Panel::new("gap behind each order", x, Axis::log("gap").range(0.5, 3.0 * largest));
         if !split(false).is_empty() {
@@ -53,9 +52,9 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
         figure = figure.with(panel);
     }
     if !values.is_empty() {
-        let x = Axis::linear("number").range(0.0, number(values.len() + 1));
+        let x = Axis::linear("number").range(0.0, (values.len() + 1) as f64);
         let panel = Panel::new("eigenvalues at the order used", x, Axis::log("eigenvalue"))
-            .guide(Guide::Vertical(number(evidence.order) + 0.5))
+            .guide(Guide::Vertical(evidence.order as f64 + 0.5))
             .with(
                 Points::new("eigenvalue", Marker::Circle, values).ink(Ink::Vermillion).radius(3.0),
             );

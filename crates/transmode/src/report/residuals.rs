@@ -6,7 +6,6 @@ use report::{Axis, Band, Block, Figure, Guide, Ink, Line, Marker, Panel, Points}
 use super::Input;
 use super::style::{LARGEST_RECORDS, drawn, look};
 use super::thinning::logarithmic;
-use crate::numbers::number;
 
 pub(super) const ID: &str = "residuals";
 pub(super) const WHITENESS_ID: &str = "whiteness";
@@ -52,7 +51,7 @@ fn spectrum(fits: &[SpectralFit], left_out: &str) -> Option<Block> {
         let bins = logarithmic(&fit.frequencies_rad_s, BINS);
         let (mut band, mut points) = (Vec::new(), Vec::new());
         for bin in &bins {
-            let degrees = 2.0 * number(bin.places.len() * (fit.sensors.len() - 1));
+            let degrees = 2.0 * (bin.places.len() * (fit.sensors.len() - 1)) as f64;
             let (low, high) = range_95(degrees);
             band.push((bin.frequency_rad_s, low, high));
             points.push((bin.frequency_rad_s, bin.mean(&fit.residuals)));
@@ -92,7 +91,7 @@ fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<
          with 95 %. Right: autocorrelations, each with 95 % \
          within the lines. Band and lines are those of the shortest record.{left_out}"
     );
-    let residuals = |fit: &SpectralFit| number(fit.residuals.len() * (fit.sensors.len() - 1));
+    let residuals = |fit: &SpectralFit| (fit.residuals.len() * (fit.sensors.len() - 1)) as f64;
     let least = fits.iter().map(residuals).fold(f64::INFINITY, f64::min);
     let highest = fits
         .iter()
@@ -131,7 +130,7 @@ fn cumulate(fit: &SpectralFit) -> Vec<(f64, f64)> {
         sum += value;
         if (k + 1) % every == 0 || k + 1 == count {
             let part = if total > 0.0 { sum / total } else { 0.0 };
-            points.push((*frequency, part - number(k + 1) / number(count)));
+            points.push((*frequency, part - (k + 1) as f64 / count as f64));
         }
     }
     points
@@ -144,7 +143,7 @@ fn numbers(fit: &SpectralFit, period_s: f64) -> f64 {
     let is_real = |w: f64| w < 1e-9 * nyquist_rad_s || w > (1.0 - 1e-9) * nyquist_rad_s;
     let weight = |w: &f64| if is_real(*w) { 1.0 } else { 2.0 };
     let weights: f64 = fit.frequencies_rad_s.iter().map(weight).sum();
-    weights * number(fit.sensors.len() - 1)
+    weights * (fit.sensors.len() - 1) as f64
 }
 
 fn autocorrelations(input: &Input<'_>, fits: &[SpectralFit]) -> Option<Panel> {
@@ -158,7 +157,7 @@ fn autocorrelations(input: &Input<'_>, fits: &[SpectralFit]) -> Option<Panel> {
     let largest = all.fold(1.5 * bound, |largest, value| f64::max(largest, value.abs()));
     let mut panel = Panel::new(
         "autocorrelations",
-        Axis::linear("lag (samples)").range(0.0, number(lags + 1)),
+        Axis::linear("lag (samples)").range(0.0, (lags + 1) as f64),
         Axis::linear("autocorrelation").range(-1.15 * largest, 1.15 * largest),
     )
     .guide(Guide::Horizontal(0.0))
@@ -175,7 +174,7 @@ fn autocorrelations(input: &Input<'_>, fits: &[SpectralFit]) -> Option<Panel> {
     for (index, (test, marker)) in tests.iter().zip(MARKERS).enumerate() {
         let (ink, _) = look(index);
         let values = test.autocorrelations.iter().enumerate();
-        let points = values.map(|(lag, value)| (number(lag + 1), *value));
+        let points = values.map(|(lag, value)| ((lag + 1) as f64, *value));
         panel = panel.with(Points::new(test.record.clone(), marker, points).ink(ink).radius(3.5));
     }
     Some(panel)

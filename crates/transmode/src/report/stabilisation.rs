@@ -9,7 +9,6 @@ use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points};
 
 use super::Input;
 use crate::CommandError;
-use crate::numbers::number;
 
 pub(super) const ID: &str = "stabilisation";
 
@@ -149,7 +148,7 @@ fn figure(input: &Input<'_>, diagrams: &[Diagram]) -> Figure {
     );
     let all = || diagrams.iter().flat_map(|diagram| &diagram.poles);
     let highest = all().map(|pole| pole.order).max().unwrap_or(1);
-    let y = || Axis::linear("order").range(0.0, number(highest + 1));
+    let y = || Axis::linear("order").range(0.0, (highest + 1) as f64);
     let damping = Axis::linear("damping ratio").range(-1.1, 1.1);
     let mut panels = [
         Panel::new("frequency", Axis::log("natural frequency (rad/s)"), y()),
@@ -176,7 +175,7 @@ fn figure(input: &Input<'_>, diagrams: &[Diagram]) -> Figure {
                 if stable { "" } else { ", not stable" }
             );
             let points = |x: fn(&Pole) -> f64| {
-                let xy = own().map(|pole| (x(pole), number(pole.order)));
+                let xy = own().map(|pole| (x(pole), pole.order as f64));
                 Points::new(label.clone(), marker, xy).ink(ink).fill(fill).radius(3.5)
             };
             let [frequency, damping] = panels;

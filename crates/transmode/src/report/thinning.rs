@@ -1,6 +1,5 @@
 //! Long signals and spectra as few points that look the same.
 
-use crate::numbers::number;
 
 /// The places of at most two samples for each of `columns` stretches, the smallest and the largest, in their own order: no peak is lost.
 pub(super) fn extremes(values: &[f64], columns: usize) -> Vec<usize> {
@@ -36,7 +35,7 @@ impl Bin {
     /// The mean of a spectrum over the bin.
     pub(super) fn mean(&self, spectrum: &[f64]) -> f64 {
         let values = spectrum.get(self.places.clone()).unwrap_or_default();
-        values.iter().sum::<f64>() / number(values.len().max(1))
+        values.iter().sum::<f64>() / values.len().max(1) as f64
     }
 }
 
@@ -44,13 +43,13 @@ impl Bin {
 pub(super) fn logarithmic(frequencies_rad_s: &[f64], count: usize) -> Vec<Bin> {
     let first = frequencies_rad_s.iter().position(|frequency| *frequency > 0.0);
     let (Some(first), Some(&last)) = (first, frequencies_rad_s.last()) else { return Vec::new() };
-    let ratio = (last / frequencies_rad_s[first]).powf(1.0 / number(count.max(1)));
+    let ratio = (last / frequencies_rad_s[first]).powf(1.0 / count.max(1) as f64);
     let (mut bins, mut start) = (Vec::new(), first);
     while start < frequencies_rad_s.len() {
         let edge = frequencies_rad_s[start] * ratio.max(1.0 + f64::EPSILON);
         let rest = &frequencies_rad_s[start..];
         let length = rest.iter().take_while(|frequency| **frequency < edge).count().max(1);
-        let mean = rest[..length].iter().sum::<f64>() / number(length);
+        let mean = rest[..length].iter().sum::<f64>() / length as f64;
         bins.push(Bin { frequency_rad_s: mean, places: start..start + length });
         start += length;
     }

@@ -8,7 +8,6 @@ use report::{Axis, Band, Block, Figure, Line, Panel};
 use super::Input;
 use super::style::{LARGEST_RECORDS, channel_name, drawn, look, ratio};
 use crate::CommandError;
-use crate::numbers::number;
 
 pub(super) const ID: &str = "transmissibilities";
 
@@ -68,7 +67,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
 fn frequencies(input: &Input<'_>) -> Vec<f64> {
     let period = input.records.first().map_or(1.0, |record| record.period().seconds());
     let samples = input.records.iter().map(reconstruct::Record::samples).max().unwrap_or(1);
-    let (low, high) = (TAU / (period * number(samples.max(4))), PI / period);
+    let (low, high) = (TAU / (period * samples.max(4) as f64), PI / period);
     let at = |k: u32| low * (high / low).powf(f64::from(k) / f64::from(POINTS));
     (0..=POINTS).map(at).collect()
 }

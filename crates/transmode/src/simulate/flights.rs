@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use super::aircraft_file::Found;
 use super::{Noise, Sensor, SimulateError};
 use crate::args::{ExcitationKind, SimulateArgs, SurfaceChoice};
-use crate::numbers::{number, whole};
+use crate::numbers::whole;
 
 /// The shortest record and the longest: a file of ten million samples has half a gigabyte.
 const SAMPLES: std::ops::RangeInclusive<usize> = 2..=10_000_000;
@@ -248,7 +248,7 @@ impl<'a> Simulator<'a> {
                 }
                 let mean = |sensor: usize| {
                     let deviations = moved.iter().map(|y| y.row(sensor).variance().sqrt());
-                    deviations.sum::<f64>() / number(moved.len())
+                    deviations.sum::<f64>() / moved.len() as f64
                 };
                 Ok((0..sensors.len()).map(|sensor| mean(sensor) / ratio).collect())
             }
@@ -301,7 +301,7 @@ fn samples(args: &SimulateArgs) -> Result<usize, SimulateError> {
 
 /// Seconds between two steps of the simulation of what is not held.
 fn substep(period: SamplePeriod) -> f64 {
-    period.seconds() / number(flight::SUBSTEPS)
+    period.seconds() / flight::SUBSTEPS as f64
 }
 
 /// Standard deviation of white noise of unit variance behind the low-pass filter: the power that its band lets through.

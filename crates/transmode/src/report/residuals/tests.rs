@@ -21,7 +21,7 @@ fn limits_rest_on_the_frequencies_used() {
         numbers(&spectral_fits(&records, options, &result).unwrap()[0], period_s)
     };
     // Three sensors less one excitation leave two numbers for each sample.
-    let all = 2.0 * number(records[0].samples());
+    let all = 2.0 * records[0].samples() as f64;
     assert!((found(&options) / all - 1.0).abs() < 1e-12);
     let quarter = 0.25 * std::f64::consts::PI / period_s;
     options.band = Some(FrequencyBand { lowest_rad_s: quarter, highest_rad_s: 3.0 * quarter });
