@@ -15,8 +15,9 @@ use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
 
 use crate::args::FitArgs;
 use crate::args::values::threads_or_all;
+use crate::error::in_file;
 use crate::records::format_error::FormatError;
-use crate::records::{Progress, in_file};
+use crate::records::Progress;
 use crate::{CommandError, Exit, output};
 use format::Format;
 use warning::warnings;

@@ -1,4 +1,9 @@
-//! Numbers rounded to counts, and without what rounding adds to them.
+//! Counts in words, numbers rounded to counts, and numbers without what rounding adds to them.
+
+/// `1 field`, `2 fields`.
+pub(crate) fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
 
 /// A number rounded to a count, if it is one of a sensible size.
 pub(crate) fn whole(value: f64) -> Option<usize> {

@@ -7,7 +7,8 @@ use cfi_ident::{FitError, FitOptions, Segment, Structure};
 use super::explained::explained;
 use super::found::{Found, Passes, poles, short_name};
 use crate::CommandError;
-use crate::records::{Progress, in_file, pair};
+use crate::error::in_file;
+use crate::records::{Progress, pair};
 
 pub(super) fn fit(
     file: &Path,

@@ -9,12 +9,13 @@ use super::explained::{explained, explained_in_array};
 use super::format::Format;
 use super::found::{Found, Passes, poles, short_name};
 use crate::CommandError;
+use crate::error::in_file;
 use crate::records::binary::{self, Placement};
 use crate::records::blocks::{Block, Blocks};
 use crate::records::npy;
 use crate::records::progress::{Bar, Progress};
 use crate::records::runs::{Infinite, Side, runs};
-use crate::records::{in_file, raw};
+use crate::records::raw;
 
 pub(super) fn fit(
     file: &Path,

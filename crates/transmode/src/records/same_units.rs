@@ -4,7 +4,7 @@ use std::path::Path;
 
 use reconstruct::Record;
 
-use super::loading::Source;
+use super::source::Source;
 use super::warning::LoadWarning;
 use crate::SelectionError;
 

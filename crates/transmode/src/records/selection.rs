@@ -36,7 +36,7 @@ pub(crate) enum TimeSource {
 }
 
 /// The columns found, by their index in the file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Selected {
     pub(crate) time: Option<Wanted>,
     pub(crate) sensors: Vec<Wanted>,

@@ -7,6 +7,7 @@ use report::{Block, format_significant};
 use super::Input;
 use crate::CommandError;
 use crate::modes::Found;
+use crate::numbers::counted;
 
 pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::paragraph(sentences(input))];
@@ -18,7 +19,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
 }
 
 fn sentences(input: &Input<'_>) -> String {
-    let records = counted(input.records.len(), "record");
+    let records = counted(input.records.len() as u64, "record");
     let channels = input.records.first().map_or(&[][..], |record| record.channels());
     let names: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
     let order = input.found.iter().map(states).sum::<usize>();
@@ -27,8 +28,8 @@ fn sentences(input: &Input<'_>) -> String {
         true => "No mode was found".to_owned(),
         false => format!(
             "{} with {} together: {}",
-            counted(found.len(), "mode"),
-            counted(order, "state"),
+            counted(found.len() as u64, "mode"),
+            counted(order as u64, "state"),
             found.join("; ")
         ),
     };
@@ -43,7 +44,7 @@ fn sentences(input: &Input<'_>) -> String {
     format!(
         "{what}. Found by {} in {records} of {} ({}), of which nobody gave the excitation. {trust}",
         method(input.result.method),
-        counted(names.len(), "sensor"),
+        counted(names.len() as u64, "sensor"),
         names.join(", ")
     )
 }
@@ -79,10 +80,6 @@ pub(super) fn method(method: Method) -> &'static str {
         Method::Subspace => "the intersection of signal subspaces",
         _ => "maximum likelihood",
     }
-}
-
-pub(super) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// With a capital letter and a full stop.
