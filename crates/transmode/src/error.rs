@@ -8,11 +8,11 @@ mod time;
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 
-pub use crate::simulate::SimulateError;
-pub use option::OptionError;
-pub use selection::SelectionError;
-pub use table::TableError;
-pub use time::{Others, TimeError};
+pub(crate) use crate::simulate::SimulateError;
+pub(crate) use option::OptionError;
+pub(crate) use selection::SelectionError;
+pub(crate) use table::TableError;
+pub(crate) use time::{Others, TimeError};
 
 /// Why a command could not be carried out: one sentence with the place and the remedy.
 #[derive(Debug, thiserror::Error)]

@@ -14,8 +14,9 @@ use std::path::Path;
 use reconstruct::reconstruct;
 
 use crate::args::{Given, IdentifyArgs};
+use crate::error::OptionError;
 use crate::records::Progress;
-use crate::{CommandError, Exit, OptionError, modes, output, report};
+use crate::{CommandError, Exit, modes, output, report};
 use input::Input;
 use outcome::{Flight, Outcome};
 

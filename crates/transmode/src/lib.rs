@@ -8,17 +8,19 @@ mod colors;
 mod command_line;
 mod doubts;
 mod error;
+mod exit;
 mod fit;
 mod identify;
 mod inspect;
+mod json;
 mod modes;
-mod monitor;
 mod numbers;
 mod orders;
 mod output;
 mod pages;
 mod records;
 mod report;
+mod sensor_health;
 mod simulate;
 
 use std::ffi::OsString;
@@ -29,37 +31,10 @@ use clap::Parser;
 use colors::Colors;
 use records::Progress;
 
-pub use error::{
-    CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError,
-};
+pub use colors::Terminals;
+pub use error::CommandError;
+pub use exit::Exit;
 pub use output::{end_between_files, write_whole};
-
-/// How a command ended; the program's exit code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Exit {
-    /// 0: all is well, or nobody is left to read the result, as with `| head -0`.
-    Fine = 0,
-    /// 1: there is a result, but it cannot be trusted. The warnings say why.
-    Doubtful = 1,
-    /// 2: the command line or a file is at fault. No file is left half-written.
-    BadInput = 2,
-}
-
-impl From<Exit> for std::process::ExitCode {
-    fn from(exit: Exit) -> Self {
-        Self::from(exit as u8)
-    }
-}
-
-/// Where the output goes, as far as colours depend on it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Terminals {
-    /// Standard output is a terminal that shows colours.
-    pub out: bool,
-    /// Standard error is one.
-    pub err: bool,
-}
 
 /// Carries out a command line, the program's name first. Results go to `out`, errors to `err`, both without colours unless `--color always` asks for them.
 ///
@@ -114,7 +89,7 @@ pub fn run_on<W: Into<OsString> + Clone>(
         args::Command::Fit(args) => fit::run(&args, progress, out),
         args::Command::Inspect(args) => inspect::run(&args, progress, out),
         args::Command::Simulate(args) => simulate::run(&args, out),
-        args::Command::Monitor(args) => monitor::run(&args, progress, out),
+        args::Command::Monitor(args) => sensor_health::run(&args, progress, out),
         args::Command::Completions(args) => pages::completions(&args, out),
         args::Command::Man(args) => pages::man(&args, out),
     };

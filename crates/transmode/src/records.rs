@@ -41,7 +41,7 @@ pub(crate) mod warning;
 pub(crate) use loading::{Loaded, is_same_file, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
-pub(crate) use sampling::is_same_period;
+pub(crate) use sampling::{check_same_period, is_same_period};
 pub(crate) use segments::SHORTEST;
 pub(crate) use selection::Selection;
 pub(crate) use source::Source;

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::found::{Estimate, Found};
 use super::warning::Warning;
 use crate::CommandError;
+use crate::json::{self, Number};
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -36,7 +37,7 @@ struct Output<'a> {
     noise_variance: Option<f64>,
     parameters: Vec<ParameterOutput>,
     /// Each root of D as often as it counts; `null` if they are not known.
-    poles: Option<Vec<Pole>>,
+    poles: Option<Vec<Number>>,
     warnings: Vec<WarningOutput>,
 }
 
@@ -54,12 +55,6 @@ struct ParameterOutput {
     /// Standard deviation; `null` where the equations say nothing about it.
     deviation: Option<f64>,
     identifiable: bool,
-}
-
-#[derive(Serialize)]
-struct Pole {
-    re: f64,
-    im: f64,
 }
 
 #[derive(Serialize)]
@@ -108,10 +103,7 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, Com
             .map(|warning| WarningOutput { code: warning.code(), text: warning.to_string() })
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn parameter(estimate: &Estimate) -> ParameterOutput {
@@ -123,7 +115,7 @@ fn parameter(estimate: &Estimate) -> ParameterOutput {
     }
 }
 
-fn pole(root: &Root) -> impl Iterator<Item = Pole> {
+fn pole(root: &Root) -> impl Iterator<Item = Number> {
     let value = root.value;
-    std::iter::repeat_with(move || Pole { re: value.re, im: value.im }).take(root.multiplicity)
+    std::iter::repeat_with(move || value.into()).take(root.multiplicity)
 }

@@ -14,8 +14,8 @@ use crate::records::binary::{self, Placement};
 use crate::records::blocks::{Block, Blocks};
 use crate::records::npy;
 use crate::records::progress::{Bar, Progress};
-use crate::records::runs::{Infinite, Side, runs};
 use crate::records::raw;
+use crate::records::runs::{Infinite, Side, runs};
 
 pub(super) fn fit(
     file: &Path,

@@ -2,11 +2,11 @@
 
 mod printed;
 
-use num_complex::Complex;
 use reconstruct::{Estimate, Hold, LikelihoodFit, OrderEvidence, SearchStatus};
 use serde::Serialize;
 
 use super::outcome::Outcome;
+use crate::json::{self, Number};
 use crate::modes::Found;
 use crate::{CommandError, doubts};
 use printed::TransmissibilityOutput;
@@ -61,19 +61,6 @@ struct RecordOutput<'a> {
     excitation_rank: Option<usize>,
     /// Probability of residuals as little white by chance.
     whiteness_p_value: Option<f64>,
-}
-
-/// A complex number.
-#[derive(Serialize)]
-struct Number {
-    re: f64,
-    im: f64,
-}
-
-impl From<Complex<f64>> for Number {
-    fn from(value: Complex<f64>) -> Self {
-        Self { re: value.re, im: value.im }
-    }
 }
 
 /// A mode; a complex pair appears once, with a positive imaginary part.
@@ -166,10 +153,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
             .chain(doubts)
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn order(evidence: &OrderEvidence) -> OrderOutput {

@@ -95,7 +95,8 @@ impl Placement {
         let mut values = vec![Vec::new(); wanted.len()];
         let mut bytes = Vec::new();
         for pass in 0..passes {
-            let before = if self.layout == Layout::SampleBySample { 0 } else { wanted[pass] as u64 };
+            let before =
+                if self.layout == Layout::SampleBySample { 0 } else { wanted[pass] as u64 };
             source.seek(SeekFrom::Start(self.offset + before * self.samples * width))?;
             let mut left = self.samples;
             while left > 0 {

@@ -18,9 +18,9 @@ use super::source::Source;
 use super::table::Table;
 use super::timing::{Times, scale};
 use super::warning::LoadWarning;
-use crate::error::in_file;
+use crate::CommandError;
+use crate::error::{SelectionError, in_file};
 use crate::numbers::without_rounding;
-use crate::{CommandError, SelectionError};
 
 /// Records and where they come from.
 #[derive(Debug)]

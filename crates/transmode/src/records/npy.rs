@@ -10,7 +10,7 @@ mod header;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
 
-use super::binary::{ByteOrder, Number, Layout, Placement, Width};
+use super::binary::{ByteOrder, Layout, Number, Placement, Width};
 use super::format::{Format, NPY_MAGIC};
 use super::format_error::FormatError;
 use super::progress::Bar;

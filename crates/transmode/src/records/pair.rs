@@ -9,7 +9,8 @@ use super::progress::Progress;
 use super::segments::segments;
 use super::selection::{Selection, TWICE, TimeSource};
 use super::timing::{Times, scale};
-use crate::{CommandError, SelectionError};
+use crate::CommandError;
+use crate::error::SelectionError;
 
 /// Two sensors of one record, equally long; a NaN marks a gap.
 #[derive(Debug)]

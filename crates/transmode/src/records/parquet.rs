@@ -107,9 +107,8 @@ impl OpenedParquet {
                 "column {name:?} holds no numbers; choose others with --outputs"
             ))),
         });
-        found.unwrap_or_else(|| {
-            Err(ParquetError::General(format!("column {name:?} is damaged")))
-        })?;
+        found
+            .unwrap_or_else(|| Err(ParquetError::General(format!("column {name:?} is damaged"))))?;
         self.bar.advance(u64::try_from(size).unwrap_or(0));
         Ok(())
     }

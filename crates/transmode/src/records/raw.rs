@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use super::binary::{ByteOrder, Number, Layout, Placement, Width};
+use super::binary::{ByteOrder, Layout, Number, Placement, Width};
 use super::format::NPY_MAGIC;
 use super::format_error::FormatError;
 use super::npy;

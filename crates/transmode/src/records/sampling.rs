@@ -138,5 +138,16 @@ pub(crate) fn is_same_period(first_s: f64, second_s: f64) -> bool {
     (first_s - second_s).abs() <= TOLERANCE * second_s
 }
 
+/// Refuses a sample period that is not that of `what`.
+pub(crate) fn check_same_period(found_s: f64, expected_s: f64, what: &str) -> Result<(), String> {
+    if is_same_period(found_s, expected_s) {
+        Ok(())
+    } else {
+        Err(format!(
+            "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them"
+        ))
+    }
+}
+
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,8 @@ use std::path::Path;
 use super::format::Format;
 use super::table::{Chosen, Heading};
 use super::unit::Unit;
-use crate::{CommandError, SelectionError, TimeError};
+use crate::CommandError;
+use crate::error::{SelectionError, TimeError};
 
 /// What is wrong with a column that was asked for two times.
 pub(super) const TWICE: &str = "twice; name it once";

@@ -6,7 +6,8 @@ use std::path::Path;
 use super::sampling::{self, Even, Fault, Sampling};
 use super::selection::TimeSource;
 use super::table::Table;
-use crate::{CommandError, Others, TimeError};
+use crate::CommandError;
+use crate::error::{Others, TimeError};
 
 /// Where in time the samples of a file are.
 #[derive(Clone, Debug)]

@@ -1,6 +1,5 @@
 //! Long signals and spectra as few points that look the same.
 
-
 /// The places of at most two samples for each of `columns` stretches, the smallest and the largest, in their own order: no peak is lost.
 pub(super) fn extremes(values: &[f64], columns: usize) -> Vec<usize> {
     let columns = columns.max(1);

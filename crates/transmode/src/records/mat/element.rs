@@ -46,7 +46,10 @@ pub(super) struct Variable {
 const LONGEST: u32 = 4096;
 
 impl Tag {
-    pub(super) fn read(source: &mut (impl Read + ?Sized), byte_order: ByteOrder) -> Result<Self, MatError> {
+    pub(super) fn read(
+        source: &mut (impl Read + ?Sized),
+        byte_order: ByteOrder,
+    ) -> Result<Self, MatError> {
         let (mut first, mut second) = ([0; 4], [0; 4]);
         source.read_exact(&mut first)?;
         source.read_exact(&mut second)?;
@@ -76,7 +79,10 @@ impl Tag {
 
 impl Variable {
     /// Reads the first parts of a matrix: flags, dimensions, name. `None` for one without them, as MATLAB writes for its own use.
-    pub(super) fn read(source: &mut dyn Read, byte_order: ByteOrder) -> Result<Option<Self>, MatError> {
+    pub(super) fn read(
+        source: &mut dyn Read,
+        byte_order: ByteOrder,
+    ) -> Result<Option<Self>, MatError> {
         let flags = Tag::read(source, byte_order)?;
         let bytes = flags.bytes(source)?;
         let Some(first) = bytes.first_chunk::<4>().filter(|_| flags.kind == 6) else {

@@ -86,7 +86,9 @@ impl<'a> Rest<'a> {
     /// Fortran's order has the samples of a channel beside each other.
     fn layout(&mut self) -> Result<Layout, FormatError> {
         self.0 = self.0.trim_start();
-        for (word, layout) in [("False", Layout::SampleBySample), ("True", Layout::ChannelByChannel)] {
+        for (word, layout) in
+            [("False", Layout::SampleBySample), ("True", Layout::ChannelByChannel)]
+        {
             if let Some(rest) = self.0.strip_prefix(word) {
                 self.0 = rest;
                 return Ok(layout);

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use super::clock::Clock;
 use super::dialect;
+use crate::CommandError;
+use crate::error::TableError;
 use crate::records::table::{Chosen, Heading, RowLines};
-use crate::{CommandError, TableError};
 
 /// Which columns to read, and what of them has been read.
 pub(super) struct Columns<'a> {

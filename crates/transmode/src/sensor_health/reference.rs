@@ -1,14 +1,14 @@
 //! The healthy record: transmissibilities from its first half, limits from its second.
 
-use ::monitor::{Detector, Link, MonitorError, Options, Stretch};
 use cfi_ident::{ConstantTerm, FitOptions, Orders, Segment, Structure};
+use monitor::{Detector, Link, MonitorError, Options, Stretch};
 use reconstruct::Record;
 
 use super::model_file::ModelFile;
 use crate::CommandError;
 use crate::args::MonitorArgs;
 use crate::numbers::{whole, without_rounding};
-use crate::records::{Loaded, is_same_period};
+use crate::records::{Loaded, check_same_period};
 
 /// Samples in a span where no other length is asked for.
 const SPAN_SAMPLES: f64 = 50.0;
@@ -62,7 +62,7 @@ impl Reference {
                 self.sensors.join(", ")
             ));
         }
-        same_period(record.period().seconds(), self.period_s, "the reference").or_else(fault)
+        check_same_period(record.period().seconds(), self.period_s, "the reference").or_else(fault)
     }
 }
 
@@ -168,15 +168,4 @@ pub(super) fn stretch(record: &Record) -> Stretch<'_> {
 
 fn names(record: &Record) -> Vec<String> {
     record.channels().iter().map(|channel| channel.name.clone()).collect()
-}
-
-/// Refuses a sample period that is not that of `what`.
-pub(super) fn same_period(found_s: f64, expected_s: f64, what: &str) -> Result<(), String> {
-    if is_same_period(found_s, expected_s) {
-        Ok(())
-    } else {
-        Err(format!(
-            "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them"
-        ))
-    }
 }

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use report::format_significant;
 
+use super::outcome::{MonitorOutcome, Watched};
 use super::reference::Reference;
-use super::{Found, Watched};
 
 /// The reference, what the alarms mean, and each record.
-pub(super) fn render(found: &Found) -> String {
-    let reference = &found.reference;
+pub(super) fn render(outcome: &MonitorOutcome) -> String {
+    let reference = &outcome.reference;
     let detector = &reference.detector;
     let (mut text, span_s) = (String::new(), reference.span_s());
     let models = if reference.given { "models from files" } else { "models from its first half" };
@@ -30,10 +30,10 @@ pub(super) fn render(found: &Found) -> String {
         format_significant(span_s, 4),
         format_significant(reference.false_alarms_per_hour(), 2)
     );
-    for watched in &found.watched {
+    for watched in &outcome.watched {
         let _ = writeln!(text, "\n{}", record(reference, watched));
     }
-    for warning in &found.warnings {
+    for warning in &outcome.warnings {
         let _ = writeln!(text, "warning: {warning}");
     }
     if reference.fitted_to_itself {

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use ::monitor::{Link, Stretch};
 use cfi_ident::{CfiModel, ConstantTerm, Orders, Structure};
+use monitor::{Link, Stretch};
 use serde::Deserialize;
 
-use super::reference::same_period;
 use crate::CommandError;
+use crate::records::check_same_period;
 
 /// Residuals of different records are not as close as this.
 const SAME_RESIDUAL: f64 = 1e-6;
@@ -101,7 +101,7 @@ impl ModelFile {
     pub(super) fn link(&self, sensors: &[String], period_s: f64) -> Result<Link, CommandError> {
         let fault = |message| CommandError::InFile { file: self.place.clone(), message };
         if let Some(own_s) = self.sample_period_s {
-            same_period(own_s, period_s, "the reference").map_err(fault)?;
+            check_same_period(own_s, period_s, "the reference").map_err(fault)?;
         }
         let index = |name: &String| {
             sensors.iter().position(|sensor| sensor == name).ok_or_else(|| {

@@ -1,11 +1,11 @@
 //! What was found, as JSON: a stable form for other programs.
 
-use ::monitor::{TestKind, Window};
+use monitor::{TestKind, Window};
 use serde::Serialize;
 
+use super::outcome::{MonitorOutcome, Watched};
 use super::reference::Reference;
-use super::{Found, Watched};
-use crate::CommandError;
+use crate::{CommandError, json};
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -67,8 +67,8 @@ struct Warning {
 }
 
 /// The JSON text, indented, with a line feed at its end.
-pub(super) fn render(found: &Found) -> Result<Vec<u8>, CommandError> {
-    let reference = &found.reference;
+pub(super) fn render(outcome: &MonitorOutcome) -> Result<Vec<u8>, CommandError> {
+    let reference = &outcome.reference;
     let itself = reference.fitted_to_itself.then(|| Warning {
         code: "fitted-to-reference",
         text: "a model was fitted to the reference itself".to_owned(),
@@ -85,18 +85,15 @@ pub(super) fn render(found: &Found) -> Result<Vec<u8>, CommandError> {
         span_s: reference.span_s(),
         false_alarms_per_span: reference.detector.options().false_alarms,
         false_alarms_per_hour: reference.false_alarms_per_hour(),
-        records: found.watched.iter().map(|watched| record(reference, watched)).collect(),
-        warnings: found
+        records: outcome.watched.iter().map(|watched| record(reference, watched)).collect(),
+        warnings: outcome
             .warnings
             .iter()
             .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
             .chain(itself)
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn record<'a>(reference: &'a Reference, watched: &'a Watched) -> RecordOutput<'a> {

@@ -2,36 +2,19 @@
 
 mod json;
 mod model_file;
+mod outcome;
 mod reference;
 mod text;
 
 use std::io::Write;
 
-use ::monitor::{Detector, Diagnosis, Window};
+use monitor::Detector;
 use reconstruct::Record;
 
 use crate::args::MonitorArgs;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress};
 use crate::{CommandError, Exit, output};
-use reference::Reference;
-
-/// One new record and what was found in it.
-#[derive(Debug)]
-struct Watched {
-    name: String,
-    /// The time of the first sample.
-    start_s: f64,
-    windows: Vec<Window>,
-    diagnosis: Option<Diagnosis>,
-}
-
-/// All that one run found.
-#[derive(Debug)]
-struct Found {
-    reference: Reference,
-    watched: Vec<Watched>,
-    warnings: Vec<LoadWarning>,
-}
+use outcome::{MonitorOutcome, Watched};
 
 /// Calibrates with the reference, watches the new records and writes what was found.
 pub(crate) fn run(
@@ -81,16 +64,16 @@ pub(crate) fn run(
         samples: record.samples(),
         needed,
     }));
-    let found = Found { reference, watched, warnings };
+    let outcome = MonitorOutcome { reference, watched, warnings };
 
     output::write_result(
         args.json.as_deref(),
-        || json::render(&found),
-        || text::render(&found),
+        || json::render(&outcome),
+        || text::render(&outcome),
         out,
     )?;
     let is_alarm = |watched: &Watched| watched.diagnosis.is_some();
-    Ok(if found.watched.iter().any(is_alarm) { Exit::Doubtful } else { Exit::Fine })
+    Ok(if outcome.watched.iter().any(is_alarm) { Exit::Doubtful } else { Exit::Fine })
 }
 
 /// `None` where the record is too short for a span.
