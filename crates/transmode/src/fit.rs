@@ -2,9 +2,9 @@
 
 mod explained;
 mod format;
-mod found;
 mod json;
 mod memory;
+mod outcome;
 mod stream;
 mod text;
 mod warning;
@@ -45,7 +45,7 @@ pub(crate) fn run(
 
     let format =
         Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
-    let found = match format {
+    let outcome = match format {
         Format::Table => {
             let time = args.time.as_deref().map(str::trim);
             memory::fit(&args.file, [input, output], time, &structure, &options, progress)?
@@ -53,12 +53,12 @@ pub(crate) fn run(
         _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
         _ => stream::fit(&args.file, format, [input, output], &structure, &options, progress)?,
     };
-    let warnings = warnings(&found);
+    let warnings = warnings(&outcome);
 
     output::write_result(
         args.json.as_deref(),
-        || json::render(&found, &warnings),
-        || text::render(&found, &warnings),
+        || json::render(&outcome, &warnings),
+        || text::render(&outcome, &warnings),
         out,
     )?;
     Ok(if warnings.iter().any(|warning| warning.is_doubt()) { Exit::Doubtful } else { Exit::Fine })

@@ -4,7 +4,7 @@ use cfi_ident::ConstantTerm;
 use poly::Root;
 use serde::Serialize;
 
-use super::found::{Estimate, Found};
+use super::outcome::{Estimate, FitOutcome};
 use super::warning::Warning;
 use crate::CommandError;
 use crate::json::{self, Number};
@@ -64,21 +64,21 @@ struct WarningOutput {
 }
 
 /// The JSON text, indented, with a line feed at its end.
-pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, CommandError> {
-    let fit = &found.fit;
+pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> Result<Vec<u8>, CommandError> {
+    let fit = &outcome.fit;
     let structure = fit.model.structure();
     let orders = structure.orders;
     let output = Output {
         schema: 1,
-        file: &found.file,
-        format: found.format,
-        input: &found.input,
-        output: &found.output,
-        sample_period_s: found.sample_period_s,
-        samples: found.samples,
-        missing_samples: found.missing,
+        file: &outcome.file,
+        format: outcome.format,
+        input: &outcome.input,
+        output: &outcome.output,
+        sample_period_s: outcome.sample_period_s,
+        samples: outcome.samples,
+        missing_samples: outcome.missing,
         samples_used: fit.samples_used,
-        segments: found.segments,
+        segments: outcome.segments,
         segments_without_equation: fit.segments_without_equation,
         orders: OrdersOutput {
             iir: orders.iir(),
@@ -96,8 +96,8 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, Com
         residual_rms: fit.residual_rms,
         relative_residual: fit.relative_residual,
         noise_variance: fit.noise_variance,
-        parameters: found.estimates().iter().map(parameter).collect(),
-        poles: found.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
+        parameters: outcome.estimates().iter().map(parameter).collect(),
+        poles: outcome.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
         warnings: warnings
             .iter()
             .map(|warning| WarningOutput { code: warning.code(), text: warning.to_string() })

@@ -7,7 +7,7 @@ use cfi_ident::{Accumulator, Fit, FitError, FitOptions, Structure};
 
 use super::explained::{explained, explained_in_array};
 use super::format::Format;
-use super::found::{Found, Passes, poles, short_name};
+use super::outcome::{FitOutcome, Passes, poles, short_name};
 use crate::CommandError;
 use crate::error::in_file;
 use crate::records::binary::{self, Placement};
@@ -24,7 +24,7 @@ pub(super) fn fit(
     structure: &Structure,
     options: &FitOptions,
     progress: Progress,
-) -> Result<Found, CommandError> {
+) -> Result<FitOutcome, CommandError> {
     let (mut source, length) = binary::open(file)?;
     let placement = match format {
         Format::Raw(channels) => raw::placement(&mut source, length, channels),
@@ -59,7 +59,7 @@ pub(super) fn fit(
     let fit = sums.fit().map_err(|error| {
         fault(&explained_in_array(error, placement.samples(), placement.channels()))
     })?;
-    Ok(Found {
+    Ok(FitOutcome {
         file: short_name(file),
         format: format.name(),
         passes: Passes::One,

@@ -7,7 +7,7 @@ use flight::{
 use lti::{Continuous, Discrete, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 
-use super::aircraft_file::Found;
+use super::aircraft_file::ChosenAircraft;
 use super::{Noise, Sensor, SimulateError};
 use crate::args::{ExcitationKind, SimulateArgs, SurfaceChoice};
 use crate::numbers::whole;
@@ -30,7 +30,7 @@ const DOUBLET_S: f64 = 1.0;
 /// Everything that is known before the first sample.
 #[derive(Debug)]
 pub(super) struct Simulator<'a> {
-    pub(super) aircraft: &'a Found,
+    pub(super) aircraft: &'a ChosenAircraft,
     pub(super) args: &'a SimulateArgs,
     pub(super) period: SamplePeriod,
     samples: usize,
@@ -77,7 +77,10 @@ pub(super) fn plans(args: &SimulateArgs) -> Vec<Plan> {
 
 impl<'a> Simulator<'a> {
     /// Checks what was asked for, and samples the aircraft.
-    pub(super) fn new(aircraft: &'a Found, args: &'a SimulateArgs) -> Result<Self, SimulateError> {
+    pub(super) fn new(
+        aircraft: &'a ChosenAircraft,
+        args: &'a SimulateArgs,
+    ) -> Result<Self, SimulateError> {
         check(args)?;
         let fault = |error: &dyn std::error::Error| SimulateError::computation(error);
         let period = SamplePeriod::new(args.sample_period).map_err(|error| fault(&error))?;

@@ -7,7 +7,7 @@ use poly::{MrootsOptions, Poly, Root, mroots};
 
 /// What one run found.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(super) struct FitOutcome {
     /// The file's name without its folder.
     pub(super) file: String,
     /// What kind of file it is, for other programs.
@@ -45,7 +45,7 @@ pub(super) struct Estimate {
     pub(super) identifiable: bool,
 }
 
-impl Found {
+impl FitOutcome {
     /// All parameters in the order of the model.
     pub(super) fn estimates(&self) -> Vec<Estimate> {
         let fit = &self.fit;
