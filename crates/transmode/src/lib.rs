@@ -5,7 +5,6 @@
 
 mod args;
 mod colors;
-mod command_line;
 mod doubts;
 mod error;
 mod exit;
@@ -63,7 +62,7 @@ pub fn run_on<W: Into<OsString> + Clone>(
     terminals: Terminals,
 ) -> Exit {
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
-    let typed = command_line::as_typed(&words);
+    let typed = as_typed(&words);
     let colors = Colors::of(&words, terminals);
     let args = match args::Args::try_parse_from(&words) {
         Ok(args) => args,
@@ -102,4 +101,28 @@ pub fn run_on<W: Into<OsString> + Clone>(
         let _ = writeln!(err, "{} {error}", colors.label("error:"));
         Exit::BadInput
     })
+}
+
+/// A command line as a shell takes it, the program by its own name.
+///
+/// Bytes that are no text come out as replacement characters; such a line is for reading.
+fn as_typed(words: &[OsString]) -> String {
+    let arguments = words.iter().skip(1).map(|word| word.to_string_lossy());
+    let text: Vec<_> = std::iter::once("transmode".into()).chain(arguments).collect();
+    // A word with a zero byte, which no shell can take, leaves the line unquoted.
+    shlex::try_join(text.iter().map(AsRef::as_ref)).unwrap_or_else(|_| text.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::as_typed;
+
+    #[test]
+    fn words_come_back_from_a_shell() {
+        let typed = |words: &[&str]| as_typed(&words.iter().map(Into::into).collect::<Vec<_>>());
+        assert_eq!(typed(&["/bin/transmode", "identify", "a.csv"]), "transmode identify a.csv");
+        let words = ["", "identify", "two words.csv", "it's.csv", "--outputs", "$p,r"];
+        let split = shlex::split(&typed(&words)).expect("a shell takes it");
+        assert_eq!(split[1..], words[1..]);
+    }
 }
