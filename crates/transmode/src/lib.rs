@@ -14,11 +14,9 @@ mod inspect;
 mod json;
 mod modes;
 mod numbers;
-mod orders;
 mod output;
 mod pages;
 mod records;
-mod report;
 mod sensor_health;
 mod simulate;
 

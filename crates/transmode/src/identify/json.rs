@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::outcome::Outcome;
 use crate::json::{self, Number};
-use crate::modes::Found;
+use crate::modes::IdentifiedMode;
 use crate::{CommandError, doubts};
 use printed::TransmissibilityOutput;
 
@@ -139,7 +139,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         modes: outcome.found.iter().map(|found| mode(outcome, found)).collect(),
         noise: noise(outcome),
         noise_origin: outcome.noise_origin(),
-        band_rad_s: outcome.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        band_rad_s: outcome.options.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
         hold: result.likelihood.as_ref().map(hold),
         goodness: GoodnessOutput {
             chi2_per_dof: result.goodness.map(|goodness| goodness.per_degree_of_freedom()),
@@ -177,7 +177,7 @@ fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
     outcome.records.iter().enumerate().map(record).collect()
 }
 
-fn mode(outcome: &Outcome<'_>, found: &Found) -> ModeOutput {
+fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {
     let (mode, estimate) = (&found.mode.mode, found.mode.estimate.as_ref());
     let interval = |estimate: &Estimate| estimate.interval_95();
     ModeOutput {

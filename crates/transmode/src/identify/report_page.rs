@@ -3,10 +3,11 @@
 //! | file of the folder | what it is |
 //! |---|---|
 //! | `report.html` | the page: nothing is fetched and no script runs |
-//! | `ID.svg`, `ID.png` | each figure; ID is one of [`FIGURES`] |
+//! | `ID.svg`, `ID.png` | each figure; ID is one of [`contents::FIGURES`] |
 //!
 //! Each section is a file of its own. A section that a method cannot fill says so in one sentence.
 
+mod contents;
 mod folder;
 mod history;
 mod mode_table;
@@ -23,65 +24,32 @@ mod transmissibility;
 
 use std::thread::{Builder, ScopedJoinHandle};
 
-use aircraft::{AircraftClass, FlightPhaseCategory};
 use report::{Block, Document};
 
+use super::outcome::Outcome;
 use crate::CommandError;
-use crate::modes::Found;
-use crate::records::{LoadWarning, Progress, Source};
+use crate::records::Progress;
+use contents::{PAGE, PROGRAM};
 
-pub(crate) use folder::{check_place, replace};
-
-/// The page's name in the folder.
-const PAGE: &str = "report.html";
-
-/// What the page says it was made by, before the version.
-const PROGRAM: &str = "transmode";
-
-/// What the figures are called, in the order of the page.
-const FIGURES: [&str; 8] = [
-    pole_map::ID,
-    order::ID,
-    stabilisation::ID,
-    history::ID,
-    spectra::ID,
-    residuals::ID,
-    residuals::WHITENESS_ID,
-    transmissibility::ID,
-];
+pub(super) use folder::{check_place, replace};
 
 /// Pixels of a PNG per unit of the figure: sharp on paper at half a page's width.
 const PNG_SCALE: f32 = 2.0;
-
-/// What a report is made of.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Input<'a> {
-    /// The command line, ready to be pasted.
-    pub(crate) command: &'a str,
-    pub(crate) records: &'a [reconstruct::Record],
-    /// One for each record.
-    pub(crate) sources: &'a [Source],
-    pub(crate) warnings: &'a [LoadWarning],
-    /// What the result was asked with.
-    pub(crate) options: &'a reconstruct::Options,
-    pub(crate) result: &'a reconstruct::Reconstruction,
-    pub(crate) found: &'a [Found],
-    /// For flying-quality levels, which are left out without it.
-    pub(crate) flying: Option<(AircraftClass, FlightPhaseCategory)>,
-    pub(crate) progress: Progress,
-}
 
 /// The files of a report, with their names in its folder.
 ///
 /// # Errors
 ///
 /// [`CommandError::Report`] where a figure cannot be drawn.
-pub(crate) fn draw(input: &Input<'_>) -> Result<Vec<(String, Vec<u8>)>, CommandError> {
-    let _working = input.progress.work("drawing the report");
+pub(super) fn draw(
+    outcome: &Outcome<'_>,
+    progress: Progress,
+) -> Result<Vec<(String, Vec<u8>)>, CommandError> {
+    let _working = progress.work("drawing the report");
     let mut document = Document::new("Modes from sensor records")
         .generator(format!("{PROGRAM} {}", env!("CARGO_PKG_VERSION")));
     for section in SECTIONS {
-        section(input)?.into_iter().for_each(|block| document.push(block));
+        section(outcome)?.into_iter().for_each(|block| document.push(block));
     }
     let fault = |error: report::ReportError| CommandError::Report(error.to_string());
     let page = report::html::render(&document).map_err(fault)?;
@@ -117,7 +85,7 @@ fn images(pictures: &[String]) -> Result<Vec<Vec<u8>>, report::ReportError> {
 }
 
 /// A part of the page.
-type Section = fn(&Input<'_>) -> Result<Vec<Block>, CommandError>;
+type Section = fn(&Outcome<'_>) -> Result<Vec<Block>, CommandError>;
 
 /// In reading order: the answer, why it can be trusted, what it comes from.
 const SECTIONS: [Section; 9] = [

@@ -2,9 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use aircraft::{AircraftClass, FlightPhaseCategory};
 use reconstruct::{Method, Options, reconstruct};
 
+use super::contents::FIGURES;
 use super::*;
+use crate::args::values::MethodName;
+use crate::identify::outcome::FlyingQualitiesCase;
 use crate::records::{LoadOptions, load};
 
 /// Two records that the repository ships.
@@ -22,18 +26,23 @@ fn report(name: &str, method: Method, folder: &Path) -> String {
     options.method = method;
     let result = reconstruct(&loaded.records, &options).expect("the records show modes");
     let found = crate::modes::name(&result, &loaded.records[0]).expect("modes have names");
-    let input = Input {
+    let outcome = Outcome {
         command: "transmode identify a.csv b.csv --report out",
+        // The page takes it from the result.
+        method: MethodName::Ml,
         records: &loaded.records,
         sources: &loaded.sources,
         warnings: &loaded.warnings,
         options: &options,
         result: &result,
         found: &found,
-        flying: Some((AircraftClass::I, FlightPhaseCategory::B)),
-        progress: Progress::Hidden,
+        flying_qualities: Some(FlyingQualitiesCase {
+            class: AircraftClass::I,
+            phase: FlightPhaseCategory::B,
+        }),
     };
-    replace(folder, &draw(&input).expect("a report is drawn")).expect("and written");
+    replace(folder, &draw(&outcome, Progress::Hidden).expect("a report is drawn"))
+        .expect("and written");
     std::fs::read_to_string(folder.join(PAGE)).expect("the page is there")
 }
 
@@ -182,19 +191,21 @@ fn page_and_json_have_the_same_intervals() {
         let ends = found.mode.interval_95.as_mut().expect("the likelihood was looked at");
         *ends = [ends[0] - (ends[1] - ends[0]), ends[1]];
     }
-    let input = Input {
+    let outcome = Outcome {
         command: "transmode identify a.csv b.csv --report out",
+        // The page takes it from the result.
+        method: MethodName::Ml,
         records: &loaded.records,
         sources: &loaded.sources,
         warnings: &[],
         options: &options,
         result: &result,
         found: &found,
-        flying: None,
-        progress: Progress::Hidden,
+        flying_qualities: None,
     };
     let out = place.path().join("out");
-    replace(&out, &draw(&input).expect("a report is drawn")).expect("and written");
+    replace(&out, &draw(&outcome, Progress::Hidden).expect("a report is drawn"))
+        .expect("and written");
     let page = std::fs::read_to_string(out.join(PAGE)).expect("the page is there");
     let number = |value: f64| report::format_significant(value, 3);
     let mut differ = 0;

@@ -4,12 +4,12 @@ use aircraft::ModeName;
 use reconstruct::Method;
 use report::{Block, format_significant};
 
-use super::Input;
 use crate::CommandError;
-use crate::modes::Found;
+use crate::identify::outcome::Outcome;
+use crate::modes::IdentifiedMode;
 use crate::numbers::counted;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::paragraph(sentences(input))];
     let doubts = input.result.doubts.iter().map(ToString::to_string);
     let all = input.warnings.iter().map(ToString::to_string).chain(doubts);
@@ -18,7 +18,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(blocks)
 }
 
-fn sentences(input: &Input<'_>) -> String {
+fn sentences(input: &Outcome<'_>) -> String {
     let records = counted(input.records.len() as u64, "record");
     let channels = input.records.first().map_or(&[][..], |record| record.channels());
     let names: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
@@ -50,14 +50,14 @@ fn sentences(input: &Input<'_>) -> String {
 }
 
 /// States that a mode takes.
-fn states(found: &Found) -> usize {
+fn states(found: &IdentifiedMode) -> usize {
     // A real eigenvalue in z below zero oscillates, too, and is one state.
     let z = found.mode.mode.discrete_eigenvalue;
     if z.map_or(found.mode.mode.eigenvalue.im, |z| z.im) > 0.0 { 2 } else { 1 }
 }
 
 /// `Dutch roll at 1.69 rad/s with a damping ratio of 0.042`.
-fn mode(found: &Found) -> String {
+fn mode(found: &IdentifiedMode) -> String {
     let (mode, number) = (&found.mode.mode, |value: f64| format_significant(value, 3));
     let name = match found.named.name {
         ModeName::Unnamed(_) => "a mode without a name".to_owned(),

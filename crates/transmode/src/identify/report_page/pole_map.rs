@@ -5,16 +5,16 @@ use report::{
     Axis, Block, Dash, Ellipse, Ellipses, Figure, Guide, Ink, Line, Notes, Panel, Points,
 };
 
-use super::Input;
 use crate::CommandError;
-use crate::modes::Found;
+use crate::identify::outcome::Outcome;
+use crate::modes::IdentifiedMode;
 
 pub(super) const ID: &str = "pole-map";
 
 /// A zoom shows this many half axes to either side.
 const REACH: f64 = 1.8;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     if input.found.is_empty() {
         return Ok(Vec::new());
     }
@@ -64,7 +64,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(vec![figure.into()])
 }
 
-fn at(found: &Found) -> Complex<f64> {
+fn at(found: &IdentifiedMode) -> Complex<f64> {
     found.mode.mode.eigenvalue
 }
 
@@ -109,7 +109,7 @@ enum Shape {
 
 impl Region {
     /// `None` where the method or the records say nothing.
-    fn of(found: &Found) -> Option<Self> {
+    fn of(found: &IdentifiedMode) -> Option<Self> {
         let center = at(found);
         let (reach, shape) = if center.im > 0.0 {
             let ellipse = found.mode.estimate.as_ref()?.continuous.ellipse_95();
@@ -182,7 +182,7 @@ fn cluster(group: &[&Region]) -> Cluster {
 
 /// The ends of the bar that is drawn for a real mode.
 #[cfg(test)]
-pub(super) fn ends(found: &Found) -> Option<[f64; 2]> {
+pub(super) fn ends(found: &IdentifiedMode) -> Option<[f64; 2]> {
     match Region::of(found)?.shape {
         Shape::Interval(ends) => Some(ends),
         Shape::Ellipse(_) => None,

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, level};
+use aircraft::FlyingQualityLevel;
 use num_complex::Complex;
 use reconstruct::{Estimate, Method};
 use report::{Block, Column, Table, format_significant};
 
-use super::Input;
 use crate::CommandError;
-use crate::modes::Found;
+use crate::identify::outcome::{FlyingQualitiesCase, Outcome};
+use crate::modes::IdentifiedMode;
 
 /// As many modes fit a page side by side.
 const MODES_IN_A_TABLE: usize = 4;
@@ -25,7 +25,7 @@ const QUANTITIES: [&str; 7] = [
     "time to half or double (s)",
 ];
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Modes")];
     if input.found.is_empty() {
         blocks.push(Block::paragraph("No mode was found."));
@@ -44,7 +44,11 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
 }
 
 /// A column for each mode: names and numbers with deviations are wide, and four of them fit a page.
-fn table(input: &Input<'_>, found: &[Found], title: String) -> Result<Table, CommandError> {
+fn table(
+    input: &Outcome<'_>,
+    found: &[IdentifiedMode],
+    title: String,
+) -> Result<Table, CommandError> {
     let names = found.iter().map(|found| Column::right(found.named.name.to_string()));
     let mut table = Table::new(title, std::iter::once(Column::left("")).chain(names));
     let mut push = |what: &str, cells: Vec<String>| {
@@ -55,13 +59,13 @@ fn table(input: &Input<'_>, found: &[Found], title: String) -> Result<Table, Com
     for (index, quantity) in QUANTITIES.iter().enumerate() {
         push(quantity, columns.iter().map(|column| column[index].clone()).collect())?;
     }
-    if let Some((class, category)) = input.flying {
-        push("level", found.iter().map(|found| levels(found, class, category)).collect())?;
+    if let Some(case) = input.flying_qualities {
+        push("level", found.iter().map(|found| levels(found, case)).collect())?;
     }
     Ok(table)
 }
 
-fn explanation(input: &Input<'_>) -> String {
+fn explanation(input: &Outcome<'_>) -> String {
     let deviations = if input.result.method == Method::MaximumLikelihood {
         "Numbers stand with one standard deviation; 1.96 of them are a 95 % interval."
     } else {
@@ -71,9 +75,9 @@ fn explanation(input: &Input<'_>) -> String {
         true => " Intervals of real modes are those of the likelihood, and need not be symmetric.",
         false => "",
     };
-    let levels = match input.flying {
-        Some((class, category)) => format!(
-            "Levels are those of MIL-F-8785C for class {class} and flight-phase category {category}: 1 is clearly adequate, 2 adequate with more work for \
+    let levels = match input.flying_qualities {
+        Some(FlyingQualitiesCase { class, phase }) => format!(
+            "Levels are those of MIL-F-8785C for class {class} and flight-phase category {phase}: 1 is clearly adequate, 2 adequate with more work for \
              the pilot, 3 safe to control. In brackets: the levels within the 95 % region, where there are several."
         ),
         None => "Flying-quality levels need `--aircraft-class` and `--flight-phase`.".to_owned(),
@@ -81,7 +85,7 @@ fn explanation(input: &Input<'_>) -> String {
     format!("{deviations}{of_real} {levels}")
 }
 
-fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
+fn numbers(found: &IdentifiedMode) -> [String; QUANTITIES.len()] {
     let mode = &found.mode.mode;
     let estimate = found.mode.estimate.as_ref();
     let number = |value: f64| format_significant(value, 5);
@@ -122,7 +126,7 @@ fn numbers(found: &Found) -> [String; QUANTITIES.len()] {
 }
 
 /// The 95 % interval of the time constant of a real mode.
-fn interval(found: &Found) -> String {
+fn interval(found: &IdentifiedMode) -> String {
     if found.eigenvalue_interval_95().is_none() {
         return "-".to_owned();
     }
@@ -153,10 +157,10 @@ fn with_deviation(value: f64, deviation: f64) -> String {
 }
 
 /// The level, and in brackets the best and the worst within the 95 % region where they differ.
-fn levels(found: &Found, class: AircraftClass, category: FlightPhaseCategory) -> String {
+fn levels(found: &IdentifiedMode, case: FlyingQualitiesCase) -> String {
     const AROUND: u32 = 32;
     const FAR: f64 = 1e3;
-    let Some(here) = level(&found.named, class, category) else { return "-".to_owned() };
+    let Some(here) = case.level(&found.named) else { return "-".to_owned() };
     let mut all = vec![here];
     if let Some([low, high]) = found.eigenvalue_interval_95() {
         // Levels of real modes have limits on one side, so the ends say all; far out stands for no end.
@@ -164,7 +168,7 @@ fn levels(found: &Found, class: AircraftClass, category: FlightPhaseCategory) ->
         for end in [low.max(-far), high.min(far)] {
             let mut moved = found.named;
             moved.eigenvalue.re = end;
-            all.extend(level(&moved, class, category));
+            all.extend(case.level(&moved));
         }
     } else if let Some(estimate) = &found.mode.estimate {
         let ellipse = estimate.continuous.ellipse_95();
@@ -174,7 +178,7 @@ fn levels(found: &Found, class: AircraftClass, category: FlightPhaseCategory) ->
             let mut moved = found.named;
             moved.eigenvalue += along * Complex::from_polar(1.0, ellipse.angle_rad);
             if moved.eigenvalue.re.is_finite() && moved.eigenvalue.im >= 0.0 {
-                all.extend(level(&moved, class, category));
+                all.extend(case.level(&moved));
             }
         }
     }

@@ -1,17 +1,17 @@
 //! Why the order is what it is.
 
-use reconstruct::{ComparedOrder, OrderEvidence};
+use reconstruct::OrderEvidence;
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points, Stems};
 
-use super::Input;
-use crate::{CommandError, orders};
+use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "order";
 
 /// As many eigenvalues are drawn: the gap is among the first.
 const LARGEST_EIGENVALUES: usize = 40;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Number of states")];
     let Some(evidence) = &input.result.order else {
         blocks.push(Block::paragraph(
@@ -27,7 +27,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
         .map(|(k, value)| ((k + 1) as f64, *value))
         .collect();
     let mut figure =
-        Figure::new(ID, "Evidence for the order", caption(evidence, &input.result.compared_orders))
+        Figure::new(ID, "Evidence for the order", caption(evidence, &input.likelihood_ratios()))
             .columns(2);
     if !gaps.is_empty() {
         let split = |used: bool| {
@@ -66,9 +66,9 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(blocks)
 }
 
-fn caption(evidence: &OrderEvidence, compared: &[ComparedOrder]) -> String {
-    let (order, ratios) = (evidence.order, orders::ratios(compared));
-    let why = match (evidence.asked, ratios.as_str()) {
+fn caption(evidence: &OrderEvidence, ratios: &str) -> String {
+    let order = evidence.order;
+    let why = match (evidence.asked, ratios) {
         (true, _) => "It was asked for.".to_owned(),
         (false, "") => "It was chosen by its gap.".to_owned(),
         (false, ratios) => {

@@ -3,17 +3,18 @@
 use reconstruct::{Record, SpectralFit};
 use report::{Axis, Block, Dash, Figure, Ink, Line, Panel};
 
+use super::residuals;
 use super::style::{LARGEST_RECORDS, LARGEST_SENSORS, channel_name, density, drawn};
 use super::thinning::{Bin, logarithmic};
-use super::{Input, residuals};
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "spectra";
 
 /// Points of a spectrum.
 const BINS: usize = 120;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Spectra")];
     let fits = match fits(input) {
         Ok(fits) => fits,
@@ -53,7 +54,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
 }
 
 /// The spectra, or a sentence that says why there are none.
-fn fits(input: &Input<'_>) -> Result<Vec<SpectralFit>, String> {
+fn fits(input: &Outcome<'_>) -> Result<Vec<SpectralFit>, String> {
     match reconstruct::spectral_fits(input.records, input.options, input.result) {
         Ok(fits) if fits.is_empty() => {
             Err("The method as printed has no model of all sensors to hold against them; the other methods do.".to_owned())

@@ -2,7 +2,7 @@
 
 use report::{Dash, Ink};
 
-use super::Input;
+use crate::identify::outcome::Outcome;
 
 /// As many records are drawn, so that a page of windows stays readable.
 pub(super) const LARGEST_RECORDS: usize = 6;
@@ -26,19 +26,19 @@ pub(super) fn look(record: usize) -> (Ink, Dash) {
 }
 
 /// The unit of a channel in a record, after conversion; `None` where the file states none.
-fn unit(input: &Input<'_>, record: usize, channel: usize) -> Option<&'static str> {
+fn unit(input: &Outcome<'_>, record: usize, channel: usize) -> Option<&'static str> {
     let units = input.sources.get(record).map(|source| &source.units)?;
     units.get(channel).copied().flatten().filter(|unit| !unit.is_empty())
 }
 
 /// `p (rad/s)`, or `p` where the unit is not known.
-pub(super) fn with_unit(input: &Input<'_>, record: usize, channel: usize) -> String {
+pub(super) fn with_unit(input: &Outcome<'_>, record: usize, channel: usize) -> String {
     let name = channel_name(input, channel);
     unit(input, record, channel).map_or_else(|| name.to_owned(), |unit| format!("{name} ({unit})"))
 }
 
 /// `power density of p ((rad/s)^2/Hz)`; without a unit `(1/Hz)`, the square of whatever the file holds left unsaid.
-pub(super) fn density(input: &Input<'_>, record: usize, channel: usize) -> String {
+pub(super) fn density(input: &Outcome<'_>, record: usize, channel: usize) -> String {
     let name = channel_name(input, channel);
     match unit(input, record, channel) {
         Some(unit) if unit.contains('/') => format!("density of {name} (({unit})²/Hz)"),
@@ -48,7 +48,7 @@ pub(super) fn density(input: &Input<'_>, record: usize, channel: usize) -> Strin
 }
 
 /// `|p / beta| ((rad/s)/rad)`.
-pub(super) fn ratio(input: &Input<'_>, to: usize, from: usize) -> String {
+pub(super) fn ratio(input: &Outcome<'_>, to: usize, from: usize) -> String {
     let names = format!("|{} / {}|", channel_name(input, to), channel_name(input, from));
     let wrapped = |unit: &str| {
         if unit.contains('/') { format!("({unit})") } else { unit.to_owned() }
@@ -61,7 +61,7 @@ pub(super) fn ratio(input: &Input<'_>, to: usize, from: usize) -> String {
 }
 
 /// The name of a channel; all records have the same.
-pub(super) fn channel_name<'a>(input: &Input<'a>, channel: usize) -> &'a str {
+pub(super) fn channel_name<'a>(input: &Outcome<'a>, channel: usize) -> &'a str {
     let channels = input.records.first().map_or(&[][..], |record| record.channels());
     channels.get(channel).map_or("", |channel| channel.name.as_str())
 }

@@ -3,9 +3,9 @@
 use reconstruct::SpectralFit;
 use report::{Axis, Band, Block, Figure, Guide, Ink, Line, Marker, Panel, Points};
 
-use super::Input;
 use super::style::{LARGEST_RECORDS, drawn, look};
 use super::thinning::logarithmic;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "residuals";
 pub(super) const WHITENESS_ID: &str = "whiteness";
@@ -19,7 +19,7 @@ const NORMAL_95: f64 = 1.959_963_984_540_054;
 /// The statistic of Kolmogorov and Smirnov stays below this over the root of the number with 95 %.
 const KOLMOGOROV_95: f64 = 1.358;
 
-pub(super) fn blocks(input: &Input<'_>, fits: &[SpectralFit]) -> Vec<Block> {
+pub(super) fn blocks(input: &Outcome<'_>, fits: &[SpectralFit]) -> Vec<Block> {
     let mut blocks = vec![Block::section("Residuals")];
     let shown = &fits[..fits.len().min(LARGEST_RECORDS)];
     let left_out = drawn(fits.len(), LARGEST_RECORDS, "records");
@@ -85,7 +85,7 @@ fn range_95(degrees: f64) -> (f64, f64) {
 }
 
 /// The cumulated spectrum and the autocorrelations, all records together.
-fn whiteness(input: &Input<'_>, fits: &[SpectralFit], left_out: &str) -> Option<Block> {
+fn whiteness(input: &Outcome<'_>, fits: &[SpectralFit], left_out: &str) -> Option<Block> {
     let caption = format!(
         "Left: the residuals' power up to each frequency as a part of all, less the part that white noise would have; that of white noise stays within the band \
          with 95 %. Right: autocorrelations, each with 95 % \
@@ -146,7 +146,7 @@ fn numbers(fit: &SpectralFit, period_s: f64) -> f64 {
     weights * (fit.sensors.len() - 1) as f64
 }
 
-fn autocorrelations(input: &Input<'_>, fits: &[SpectralFit]) -> Option<Panel> {
+fn autocorrelations(input: &Outcome<'_>, fits: &[SpectralFit]) -> Option<Panel> {
     let tests = input.result.whiteness.get(..input.result.whiteness.len().min(LARGEST_RECORDS))?;
     let lags =
         tests.iter().map(|test| test.autocorrelations.len()).max().filter(|lags| *lags > 0)?;

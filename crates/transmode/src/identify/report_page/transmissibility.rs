@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 use reconstruct::{ComplexEstimate, FittedTransmissibility, fitted_transmissibilities};
 use report::{Axis, Band, Block, Figure, Line, Panel};
 
-use super::Input;
 use super::style::{LARGEST_RECORDS, channel_name, drawn, look, ratio};
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "transmissibilities";
 
@@ -17,7 +17,7 @@ const POINTS: u32 = 160;
 /// As many pairs of sensors are drawn.
 const LARGEST_PAIRS: usize = 9;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Transmissibilities")];
     let Some(fit) = &input.result.likelihood else {
         blocks.push(Block::paragraph(
@@ -64,7 +64,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
 }
 
 /// From one turn in the longest record up to half the sampling frequency, evenly spaced on a logarithmic axis.
-fn frequencies(input: &Input<'_>) -> Vec<f64> {
+fn frequencies(input: &Outcome<'_>) -> Vec<f64> {
     let period = input.records.first().map_or(1.0, |record| record.period().seconds());
     let samples = input.records.iter().map(reconstruct::Record::samples).max().unwrap_or(1);
     let (low, high) = (TAU / (period * samples.max(4) as f64), PI / period);
@@ -74,7 +74,7 @@ fn frequencies(input: &Input<'_>) -> Vec<f64> {
 
 fn with_curve(
     panel: Panel,
-    input: &Input<'_>,
+    input: &Outcome<'_>,
     each: &FittedTransmissibility,
     frequencies: &[f64],
 ) -> Panel {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::{FIGURES, PAGE, PROGRAM};
+use super::contents::{FIGURES, PAGE, PROGRAM};
 use crate::CommandError;
 
 /// The page's mark is within so many bytes of its start.
@@ -21,7 +21,7 @@ const MARK_WITHIN: u64 = 4096;
 ///
 /// [`CommandError::NotAReport`] with the first thing in the folder that no report has; [`CommandError::Write`] where the place is a file or its own
 /// folder does not exist.
-pub(crate) fn check_place(folder: &Path) -> Result<(), CommandError> {
+pub(in crate::identify) fn check_place(folder: &Path) -> Result<(), CommandError> {
     let fault = |source| CommandError::Write { file: folder.to_owned(), source };
     if folder == Path::new("-") {
         return Err(fault(Error::new(ErrorKind::InvalidInput, "a report is a folder of files")));
@@ -80,7 +80,10 @@ fn is_file(entry: &DirEntry) -> bool {
 /// # Errors
 ///
 /// Those of [`check_place`], and [`CommandError::Write`].
-pub(crate) fn replace(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), CommandError> {
+pub(in crate::identify) fn replace(
+    folder: &Path,
+    files: &[(String, Vec<u8>)],
+) -> Result<(), CommandError> {
     check_place(folder)?;
     let fault = |source| CommandError::Write { file: folder.to_owned(), source };
     // A link stays, and so does the name that the operating system knows the folder by.

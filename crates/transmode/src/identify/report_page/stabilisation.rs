@@ -7,8 +7,8 @@ use reconstruct::{
 };
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points};
 
-use super::Input;
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "stabilisation";
 
@@ -30,7 +30,7 @@ const LOOKS: [(Ink, Marker); 3] = [
     (Ink::Green, Marker::Triangle),
 ];
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Stability of the answer")];
     let diagrams = diagrams(input);
     if diagrams.iter().all(|diagram| diagram.poles.is_empty()) {
@@ -56,7 +56,7 @@ struct Pole {
     stable: bool,
 }
 
-fn diagrams(input: &Input<'_>) -> Vec<Diagram> {
+fn diagrams(input: &Outcome<'_>) -> Vec<Diagram> {
     let records: Vec<Record> = input.records.iter().filter_map(shortened).collect();
     let mut options = options(input);
     let first = match &input.result.intersection {
@@ -86,7 +86,7 @@ fn diagrams(input: &Input<'_>) -> Vec<Diagram> {
 }
 
 /// The options of the first stage of a reconstruction with the input's options.
-fn options(input: &Input<'_>) -> SubspaceOptions {
+fn options(input: &Outcome<'_>) -> SubspaceOptions {
     let mut options = SubspaceOptions::default();
     let still = input.options.offsets == Offsets::Zero && input.options.trend == Trend::Absent;
     options.centring = if still { Centring::None } else { Centring::Rows };
@@ -134,7 +134,7 @@ fn pole(order: usize, mode: &Mode, lower: &[Pole]) -> Pole {
     Pole { order, frequency_rad_s, damping_ratio, stable }
 }
 
-fn figure(input: &Input<'_>, diagrams: &[Diagram]) -> Figure {
+fn figure(input: &Outcome<'_>, diagrams: &[Diagram]) -> Figure {
     let short = input.records.iter().any(|record| record.samples() > LARGEST_SAMPLES);
     let part = if short {
         format!(" Of longer records the first {LARGEST_SAMPLES} samples are used.")

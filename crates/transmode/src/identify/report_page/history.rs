@@ -2,17 +2,18 @@
 
 use report::{Axis, Block, Dash, Figure, Ink, Legend, Line, Panel};
 
+use super::style;
 use super::style::{LARGEST_RECORDS, LARGEST_SENSORS, channel_name, drawn, with_unit};
 use super::thinning::extremes;
-use super::{Input, style};
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 pub(super) const ID: &str = "records";
 
 /// Stretches of a signal of which the smallest and the largest sample are drawn: about one for each pixel.
 const COLUMNS: usize = 300;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let sensors = input.records.first().map_or(0, |record| record.channels().len());
     let shown = sensors.min(LARGEST_SENSORS);
     let thinned = input.records.iter().any(|record| record.samples() > 2 * COLUMNS);

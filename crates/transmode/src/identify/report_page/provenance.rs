@@ -3,11 +3,11 @@
 use reconstruct::{NoiseModel, Record};
 use report::{Block, Column, Table, format_significant};
 
-use super::Input;
 use super::style::with_unit;
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
-pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let fault = |error: report::ReportError| CommandError::Report(error.to_string());
     let mut blocks = vec![Block::section("Where this comes from")];
     blocks.push(Block::paragraph(format!(
@@ -67,7 +67,7 @@ pub(super) fn blocks(input: &Input<'_>) -> Result<Vec<Block>, CommandError> {
     Ok(blocks)
 }
 
-fn row(input: &Input<'_>, index: usize, record: &Record) -> [String; 5] {
+fn row(input: &Outcome<'_>, index: usize, record: &Record) -> [String; 5] {
     let source = input.sources.get(index);
     let time =
         |end: usize| source.map_or_else(|| "-".to_owned(), |source| short(source.span_s[end]));
