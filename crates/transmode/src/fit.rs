@@ -1,7 +1,7 @@
 //! `transmode fit`: one record -> the transmissibility between two of its sensors.
 
 mod explained;
-mod format;
+mod file_kind;
 mod json;
 mod memory;
 mod outcome;
@@ -19,7 +19,7 @@ use crate::error::in_file;
 use crate::records::Progress;
 use crate::records::format_error::FormatError;
 use crate::{CommandError, Exit, output};
-use format::Format;
+use file_kind::FileKind;
 use warning::warnings;
 
 /// Reads the record, fits the model and writes what was found.
@@ -43,15 +43,15 @@ pub(crate) fn run(
         output::check_place(file, &[&args.file])?;
     }
 
-    let format =
-        Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
-    let outcome = match format {
-        Format::Table => {
+    let kind =
+        FileKind::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
+    let outcome = match kind {
+        FileKind::Table => {
             let time = args.time.as_deref().map(str::trim);
             memory::fit(&args.file, [input, output], time, &structure, &options, progress)?
         }
         _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
-        _ => stream::fit(&args.file, format, [input, output], &structure, &options, progress)?,
+        _ => stream::fit(&args.file, kind, [input, output], &structure, &options, progress)?,
     };
     let warnings = warnings(&outcome);
 

@@ -1,12 +1,12 @@
-//! What kind of file a record is.
+//! What kind of file a record is, as far as reading it goes: whole, or in blocks.
 
 use std::path::Path;
 
 use crate::records::format_error::FormatError;
 
-/// How a record is written.
+/// How the fit reads a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Format {
+pub(super) enum FileKind {
     /// A table that is read into memory, whatever its format.
     Table,
     Npy,
@@ -14,7 +14,7 @@ pub(super) enum Format {
     Raw(u64),
 }
 
-impl Format {
+impl FileKind {
     /// Judges by the name: `.npy` and `.f64` are streamed, anything else is a table; or by the number of channels, which only raw doubles need.
     pub(super) fn of(file: &Path, channels: Option<u64>) -> Result<Self, FormatError> {
         let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase());
