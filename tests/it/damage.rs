@@ -95,12 +95,7 @@ impl Change {
     }
 
     fn apply(&self, bytes: &mut Vec<u8>) {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "a place in a small file"
-        )]
+        #[expect(clippy::cast_possible_truncation, reason = "a place in a small file")]
         let place = |part: f64| (part * bytes.len() as f64) as usize;
         match *self {
             Self::Replace(at, byte) => {

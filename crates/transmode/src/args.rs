@@ -6,19 +6,19 @@ mod given;
 mod identify;
 mod inspect;
 mod monitor;
-mod pages;
 mod simulate;
 pub(crate) mod values;
 
-use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 
-pub(crate) use files::FileArgs;
+use clap::{Parser, Subcommand};
+use clap_complete::Shell;
+
 pub(crate) use fit::FitArgs;
 pub(crate) use given::Given;
 pub(crate) use identify::IdentifyArgs;
 pub(crate) use inspect::InspectArgs;
 pub(crate) use monitor::MonitorArgs;
-pub(crate) use pages::{CompletionsArgs, ManArgs};
 pub(crate) use simulate::{ExcitationKind, SimulateArgs, SurfaceChoice};
 
 /// Reconstructs the dynamics of a system from sensor records alone, without knowing what excited it.
@@ -64,4 +64,22 @@ pub(crate) enum Command {
     Monitor(MonitorArgs),
     Completions(CompletionsArgs),
     Man(ManArgs),
+}
+
+/// Writes what a shell needs to complete this program's words.
+///
+/// For bash: transmode completions bash > ~/.local/share/bash-completion/completions/transmode
+#[derive(Debug, clap::Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub(crate) shell: Shell,
+}
+
+/// Writes the manual pages, one for the program and one for each command.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ManArgs {
+    /// The folder for the pages; it is made if it is not there. Pages that are there are replaced.
+    #[arg(short, long, default_value = ".", value_name = "DIR")]
+    pub(crate) output: PathBuf,
 }

@@ -5,7 +5,14 @@ use std::ffi::OsString;
 use clap::builder::styling::{AnsiColor, Style};
 use clap::{ColorChoice, ValueEnum};
 
-use crate::Terminals;
+/// Where the output goes, as far as colours depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Terminals {
+    /// Standard output is a terminal that shows colours.
+    pub out: bool,
+    /// Standard error is one.
+    pub err: bool,
+}
 
 /// Whether help and errors are coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

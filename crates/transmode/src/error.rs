@@ -1,38 +1,38 @@
 //! What can be wrong with the command line and with files, in full sentences.
 
 mod option;
-mod remedy;
 mod selection;
 mod table;
 mod time;
 
-use std::path::PathBuf;
+use std::io::{Error, ErrorKind};
+use std::path::{Path, PathBuf};
 
-pub use crate::simulate::SimulateError;
-pub use option::OptionError;
-pub use selection::SelectionError;
-pub use table::TableError;
-pub use time::{Others, TimeError};
+pub(crate) use crate::simulate::SimulateError;
+pub(crate) use option::OptionError;
+pub(crate) use selection::SelectionError;
+pub(crate) use table::TableError;
+pub(crate) use time::{Others, TimeError};
 
 /// Why a command could not be carried out: one sentence with the place and the remedy.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CommandError {
     /// A file that cannot be read.
-    #[error("cannot read {}: {source}; {}", file.display(), remedy::of_reading(source))]
+    #[error("cannot read {}: {source}; {}", file.display(), remedy_of_reading(source))]
     Read {
         /// The file.
         file: PathBuf,
         /// What the operating system says.
-        source: std::io::Error,
+        source: Error,
     },
     /// A file that cannot be written.
-    #[error("cannot write {}: {source}; {}", file.display(), remedy::of_writing(source))]
+    #[error("cannot write {}: {source}; {}", file.display(), remedy_of_writing(source))]
     Write {
         /// The file, or `-` for standard output.
         file: PathBuf,
         /// What the operating system says.
-        source: std::io::Error,
+        source: Error,
     },
     /// A file that is there already.
     #[error("{} is there already; choose another folder with --output, or replace it with --force", file.display())]
@@ -51,7 +51,7 @@ pub enum CommandError {
         /// Where it is now.
         kept: PathBuf,
         /// What the operating system says.
-        source: std::io::Error,
+        source: Error,
     },
     /// A result that would replace the record it comes from.
     #[error("{} is the record itself; write the result to another file", file.display())]
@@ -148,16 +148,48 @@ pub enum CommandError {
 impl CommandError {
     /// Whether the reader of the output went away.
     pub(crate) fn is_broken_pipe(&self) -> bool {
-        matches!(self, Self::Write { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+        matches!(self, Self::Write { source, .. } if source.kind() == ErrorKind::BrokenPipe)
     }
 }
 
-/// `1 field`, `2 fields`.
-pub(crate) fn counted(count: u64, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+/// An error of a lower layer, with the file that it is about.
+pub(crate) fn in_file(file: &Path, error: &dyn std::error::Error) -> CommandError {
+    CommandError::InFile { file: file.to_owned(), message: error.to_string() }
 }
 
 /// `0`, or `0 to 2`.
 fn indices(channels: u64) -> String {
     if channels > 1 { format!("0 to {}", channels - 1) } else { "0".to_owned() }
+}
+
+/// What a person can do where the operating system does not let a file be read.
+fn remedy_of_reading(error: &Error) -> &'static str {
+    match error.kind() {
+        ErrorKind::NotFound => "check its name and folder",
+        ErrorKind::PermissionDenied => "ask its owner for the right to read it",
+        ErrorKind::IsADirectory => "name a file in it",
+        ErrorKind::NotADirectory => {
+            "what stands before the last slash is no folder; check the name"
+        }
+        ErrorKind::InvalidData | ErrorKind::UnexpectedEof => {
+            "it may be damaged or cut off; copy it again"
+        }
+        _ => "try it again, or from a copy on another disk",
+    }
+}
+
+/// What a person can do where it does not let a file or folder be written.
+fn remedy_of_writing(error: &Error) -> &'static str {
+    match error.kind() {
+        ErrorKind::NotFound => "make its folder first, or name another",
+        ErrorKind::PermissionDenied => "name a place where you may write",
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+            "make room, or name a place that has some"
+        }
+        ErrorKind::IsADirectory => "choose another name",
+        ErrorKind::NotADirectory | ErrorKind::AlreadyExists => {
+            "a file stands where a folder is needed; choose another name"
+        }
+        _ => "name another place",
+    }
 }

@@ -1,10 +1,10 @@
 //! `transmode fit`: one record -> the transmissibility between two of its sensors.
 
 mod explained;
-mod format;
-mod found;
+mod file_kind;
 mod json;
 mod memory;
+mod outcome;
 mod stream;
 mod text;
 mod warning;
@@ -15,10 +15,11 @@ use cfi_ident::{ConstantTerm, FitOptions, Orders, Structure};
 
 use crate::args::FitArgs;
 use crate::args::values::threads_or_all;
+use crate::error::in_file;
+use crate::records::Progress;
 use crate::records::format_error::FormatError;
-use crate::records::{Progress, in_file};
 use crate::{CommandError, Exit, output};
-use format::Format;
+use file_kind::FileKind;
 use warning::warnings;
 
 /// Reads the record, fits the model and writes what was found.
@@ -42,22 +43,22 @@ pub(crate) fn run(
         output::check_place(file, &[&args.file])?;
     }
 
-    let format =
-        Format::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
-    let found = match format {
-        Format::Table => {
+    let kind =
+        FileKind::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
+    let outcome = match kind {
+        FileKind::Table => {
             let time = args.time.as_deref().map(str::trim);
             memory::fit(&args.file, [input, output], time, &structure, &options, progress)?
         }
         _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
-        _ => stream::fit(&args.file, format, [input, output], &structure, &options, progress)?,
+        _ => stream::fit(&args.file, kind, [input, output], &structure, &options, progress)?,
     };
-    let warnings = warnings(&found);
+    let warnings = warnings(&outcome);
 
     output::write_result(
         args.json.as_deref(),
-        || json::render(&found, &warnings),
-        || text::render(&found, &warnings),
+        || json::render(&outcome, &warnings),
+        || text::render(&outcome, &warnings),
         out,
     )?;
     Ok(if warnings.iter().any(|warning| warning.is_doubt()) { Exit::Doubtful } else { Exit::Fine })

@@ -6,6 +6,7 @@ mod json;
 mod options;
 mod outcome;
 mod refusal;
+mod report_page;
 mod text;
 
 use std::io::Write;
@@ -14,10 +15,11 @@ use std::path::Path;
 use reconstruct::reconstruct;
 
 use crate::args::{Given, IdentifyArgs};
+use crate::error::OptionError;
 use crate::records::Progress;
-use crate::{CommandError, Exit, OptionError, modes, output, report};
+use crate::{CommandError, Exit, modes, output};
 use input::Input;
-use outcome::{Flight, Outcome};
+use outcome::{FlyingQualitiesCase, Outcome};
 
 /// Reads the records, reconstructs the modes and writes them.
 pub(crate) fn run(
@@ -44,7 +46,7 @@ pub(crate) fn run(
         output::check_place(file, &files)?;
     }
     if let Some(folder) = &args.report {
-        report::check_place(folder)?;
+        report_page::check_place(folder)?;
     }
     let Input { records, sources, known_inputs, noise, warnings } = input::read(&args, progress)?;
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
@@ -55,38 +57,25 @@ pub(crate) fn run(
     drop(searching);
     result.doubts.retain(|doubt| !outcome::is_of_one_excitation(doubt, &records, &sources));
     let found = modes::name(&result, &records[0])?;
-    let flight = args.aircraft_class.zip(args.flight_phase);
-    let flight = flight.map(|(class, phase)| Flight { class, phase });
+    let case = args.aircraft_class.zip(args.flight_phase);
     let outcome = Outcome {
+        command: typed,
         method: args.method(),
         records: &records,
         sources: &sources,
+        options: &options,
         result: &result,
         found: &found,
-        band: options.band,
-        flight,
+        flying_qualities: case.map(|(class, phase)| FlyingQualitiesCase { class, phase }),
         warnings: &warnings,
     };
 
     let drawn = match &args.report {
-        Some(folder) => {
-            let input = report::Input {
-                command: typed,
-                records: &records,
-                sources: &sources,
-                warnings: &warnings,
-                options: &options,
-                result: &result,
-                found: &found,
-                flying: args.aircraft_class.zip(args.flight_phase),
-                progress,
-            };
-            Some((folder, report::draw(&input)?))
-        }
+        Some(folder) => Some((folder, report_page::draw(&outcome, progress)?)),
         None => None,
     };
     let write_report = || match &drawn {
-        Some((folder, files)) => report::replace(folder, files),
+        Some((folder, files)) => report_page::replace(folder, files),
         None => Ok(()),
     };
     // Files first: if they cannot be written, nothing has been said yet.

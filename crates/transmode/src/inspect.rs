@@ -89,9 +89,9 @@ fn suggestion(args: &InspectArgs, files: &[Inspected]) -> String {
                 words.push("SECOND_FILE".to_owned());
             }
             words.extend(["--outputs".to_owned(), quoted(&sensors.join(","))]);
-            if let Some(time) = &args.time {
+            if let Some(time) = &args.time.column {
                 words.extend(["--time".to_owned(), quoted(time)]);
-            } else if let Some(period_s) = args.sample_period {
+            } else if let Some(period_s) = args.time.sample_period {
                 words.extend(["--sample-period".to_owned(), period_s.to_string()]);
             }
             format!("suggestion: {}", words.join(" "))

@@ -5,20 +5,19 @@
 
 mod args;
 mod colors;
-mod command_line;
 mod doubts;
 mod error;
+mod exit;
 mod fit;
 mod identify;
 mod inspect;
+mod json;
 mod modes;
-mod monitor;
 mod numbers;
-mod orders;
 mod output;
 mod pages;
 mod records;
-mod report;
+mod sensor_health;
 mod simulate;
 
 use std::ffi::OsString;
@@ -29,37 +28,10 @@ use clap::Parser;
 use colors::Colors;
 use records::Progress;
 
-pub use error::{
-    CommandError, OptionError, Others, SelectionError, SimulateError, TableError, TimeError,
-};
+pub use colors::Terminals;
+pub use error::CommandError;
+pub use exit::Exit;
 pub use output::{end_between_files, write_whole};
-
-/// How a command ended; the program's exit code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Exit {
-    /// 0: all is well, or nobody is left to read the result, as with `| head -0`.
-    Fine = 0,
-    /// 1: there is a result, but it cannot be trusted. The warnings say why.
-    Doubtful = 1,
-    /// 2: the command line or a file is at fault. No file is left half-written.
-    BadInput = 2,
-}
-
-impl From<Exit> for std::process::ExitCode {
-    fn from(exit: Exit) -> Self {
-        Self::from(exit as u8)
-    }
-}
-
-/// Where the output goes, as far as colours depend on it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Terminals {
-    /// Standard output is a terminal that shows colours.
-    pub out: bool,
-    /// Standard error is one.
-    pub err: bool,
-}
 
 /// Carries out a command line, the program's name first. Results go to `out`, errors to `err`, both without colours unless `--color always` asks for them.
 ///
@@ -88,7 +60,7 @@ pub fn run_on<W: Into<OsString> + Clone>(
     terminals: Terminals,
 ) -> Exit {
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
-    let typed = command_line::as_typed(&words);
+    let typed = as_typed(&words);
     let colors = Colors::of(&words, terminals);
     let args = match args::Args::try_parse_from(&words) {
         Ok(args) => args,
@@ -114,7 +86,7 @@ pub fn run_on<W: Into<OsString> + Clone>(
         args::Command::Fit(args) => fit::run(&args, progress, out),
         args::Command::Inspect(args) => inspect::run(&args, progress, out),
         args::Command::Simulate(args) => simulate::run(&args, out),
-        args::Command::Monitor(args) => monitor::run(&args, progress, out),
+        args::Command::Monitor(args) => sensor_health::run(&args, progress, out),
         args::Command::Completions(args) => pages::completions(&args, out),
         args::Command::Man(args) => pages::man(&args, out),
     };
@@ -127,4 +99,28 @@ pub fn run_on<W: Into<OsString> + Clone>(
         let _ = writeln!(err, "{} {error}", colors.label("error:"));
         Exit::BadInput
     })
+}
+
+/// A command line as a shell takes it, the program by its own name.
+///
+/// Bytes that are no text come out as replacement characters; such a line is for reading.
+fn as_typed(words: &[OsString]) -> String {
+    let arguments = words.iter().skip(1).map(|word| word.to_string_lossy());
+    let text: Vec<_> = std::iter::once("transmode".into()).chain(arguments).collect();
+    // A word with a zero byte, which no shell can take, leaves the line unquoted.
+    shlex::try_join(text.iter().map(AsRef::as_ref)).unwrap_or_else(|_| text.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::as_typed;
+
+    #[test]
+    fn words_come_back_from_a_shell() {
+        let typed = |words: &[&str]| as_typed(&words.iter().map(Into::into).collect::<Vec<_>>());
+        assert_eq!(typed(&["/bin/transmode", "identify", "a.csv"]), "transmode identify a.csv");
+        let words = ["", "identify", "two words.csv", "it's.csv", "--outputs", "$p,r"];
+        let split = shlex::split(&typed(&words)).expect("a shell takes it");
+        assert_eq!(split[1..], words[1..]);
+    }
 }

@@ -8,7 +8,7 @@ use crate::CommandError;
 
 /// A mode as a person asks for it.
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
+pub(crate) struct IdentifiedMode {
     pub(crate) named: NamedMode,
     /// Eigenvalues, frequency, damping, and how certain they are where the method says it.
     pub(crate) mode: FoundMode,
@@ -18,7 +18,7 @@ pub(crate) struct Found {
     pub(crate) spread: Option<f64>,
 }
 
-impl Found {
+impl IdentifiedMode {
     /// The 95 % interval of a real mode's eigenvalue in 1/s: from the likelihood where that was looked at, otherwise from the deviation. An end may be infinite.
     pub(crate) fn eigenvalue_interval_95(&self) -> Option<[f64; 2]> {
         let around = || {
@@ -51,7 +51,10 @@ fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
 /// Names the modes: by their shapes where the channels are called beta, p and r, otherwise by the pattern of the eigenvalues.
 ///
 /// Complex pairs come once; the fastest mode comes first.
-pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found>, CommandError> {
+pub(crate) fn name(
+    result: &Reconstruction,
+    record: &Record,
+) -> Result<Vec<IdentifiedMode>, CommandError> {
     let shapes: Vec<_> = result.modes.iter().map(|mode| shape(result, mode)).collect();
     let pair = |(mode, shape): (&FoundMode, &Vec<Complex<f64>>)| Eigenpair {
         eigenvalue: mode.mode.eigenvalue,
@@ -59,7 +62,7 @@ pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found
     };
     let pairs: Vec<Eigenpair> = result.modes.iter().zip(&shapes).map(pair).collect();
     let named = name_modes(&pairs).map_err(|error| CommandError::Reconstruct(error.to_string()))?;
-    let mut found: Vec<Found> = named
+    let mut found: Vec<IdentifiedMode> = named
         .into_iter()
         .zip(&result.modes)
         .zip(shapes)
@@ -68,10 +71,10 @@ pub(crate) fn name(result: &Reconstruction, record: &Record) -> Result<Vec<Found
                 named.name = ModeName::Unnamed(WhyUnnamed::Alternating);
             }
             let (spread, mode) = (spread(result, mode), mode.clone());
-            Found { named, spread, mode, shape: scaled(shape) }
+            IdentifiedMode { named, spread, mode, shape: scaled(shape) }
         })
         .collect();
-    let frequency = |found: &Found| found.mode.mode.natural_frequency_rad_s;
+    let frequency = |found: &IdentifiedMode| found.mode.mode.natural_frequency_rad_s;
     found.sort_by(|a, b| frequency(b).total_cmp(&frequency(a)));
     Ok(found)
 }

@@ -1,21 +1,15 @@
-//! Between counts and numbers, and numbers without what rounding adds to them.
+//! Counts in words, numbers rounded to counts, and numbers without what rounding adds to them.
 
-/// A count as a number, exactly: no record has 2^53 samples.
-pub(crate) fn number(count: usize) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "counts of samples are far below 2^53")]
-    let number = count as f64;
-    number
+/// `1 field`, `2 fields`.
+pub(crate) fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A number rounded to a count, if it is one of a sensible size.
 pub(crate) fn whole(value: f64) -> Option<usize> {
     const LARGEST: f64 = 1e9;
     let rounded = value.round();
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a whole number between 0 and the largest"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "a whole number between 0 and the largest")]
     (0.0..=LARGEST).contains(&rounded).then_some(rounded as usize)
 }
 
@@ -41,8 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn counts_and_numbers() {
-        assert_eq!(number(3).to_bits(), 3.0_f64.to_bits());
+    fn numbers_are_rounded_to_counts() {
         assert_eq!(whole(2.6), Some(3));
         for value in [-1.0, 2e9, f64::NAN, f64::INFINITY] {
             assert_eq!(whole(value), None);

@@ -1,17 +1,15 @@
 //! Whole files or none: a file is written beside its place and then renamed.
 
+mod draft;
 mod folder;
 mod interrupt;
 mod place;
 
-use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
-use tempfile::NamedTempFile;
-
 use crate::CommandError;
-
+use draft::draft_of;
 pub(crate) use folder::{Overwrite, check_folder, write_folder};
 pub use interrupt::end_between_files;
 pub(crate) use interrupt::uninterrupted;
@@ -81,24 +79,6 @@ pub(crate) fn write_with(
         draft.persist(file).map_err(|error| fault(error.error))?;
         Ok(())
     })
-}
-
-/// All of a regular file, beside its place.
-fn draft_of(file: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
-    let folder =
-        file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut draft = draft_in(folder)?;
-    draft.as_file_mut().write_all(bytes)?;
-    draft.as_file().sync_all()?;
-    Ok(draft)
-}
-
-/// A temporary file with the rights of an ordinary one, which the user's mask may narrow.
-///
-/// It is opened here so that an error is the operating system's own: the draft's name would tell the user nothing.
-fn draft_in(folder: &Path) -> std::io::Result<NamedTempFile> {
-    let open = |draft: &Path| OpenOptions::new().write(true).create_new(true).open(draft);
-    tempfile::Builder::new().prefix(".transmode-").make_in(folder, open)
 }
 
 #[cfg(test)]

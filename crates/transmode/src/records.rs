@@ -19,6 +19,7 @@ mod loading;
 mod mat;
 pub(crate) mod npy;
 mod npz;
+pub(crate) mod open;
 pub(crate) mod options;
 pub(crate) mod pair;
 #[cfg(feature = "parquet")]
@@ -30,42 +31,18 @@ mod same_units;
 pub(crate) mod sampling;
 pub(crate) mod segments;
 pub(crate) mod selection;
-pub(crate) mod source;
+mod source;
 pub(crate) mod table;
 pub(crate) mod text;
 pub(crate) mod timing;
 pub(crate) mod unit;
 pub(crate) mod warning;
 
-use std::path::Path;
-
-pub(crate) use loading::{Loaded, Source, is_same_file, load};
+pub(crate) use loading::{Loaded, is_same_file, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
-pub(crate) use sampling::is_same_period;
+pub(crate) use sampling::{check_same_period, is_same_period};
 pub(crate) use segments::SHORTEST;
 pub(crate) use selection::Selection;
+pub(crate) use source::Source;
 pub(crate) use warning::LoadWarning;
-
-use crate::CommandError;
-use table::Table;
-
-/// An error of a lower layer, with the file that it is about.
-pub(crate) fn in_file(file: &Path, error: &dyn std::error::Error) -> CommandError {
-    CommandError::InFile { file: file.to_owned(), message: error.to_string() }
-}
-
-/// Refuses infinite numbers in an array.
-fn finite(file: &Path, table: Table) -> Result<Table, CommandError> {
-    for (column, values) in table.values.iter().enumerate() {
-        if let Some(sample) = values.iter().position(|value| value.is_infinite()) {
-            return Err(CommandError::InfiniteSample {
-                file: file.to_owned(),
-                sample: sample as u64,
-                column: table.heading(column).name.clone(),
-                value: values[sample],
-            });
-        }
-    }
-    Ok(table)
-}

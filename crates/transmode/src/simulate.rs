@@ -13,7 +13,7 @@ use std::path::Path;
 
 use crate::args::SimulateArgs;
 use crate::{CommandError, Exit, output};
-pub use fault::SimulateError;
+pub(crate) use fault::SimulateError;
 use flights::Simulator;
 pub(crate) use noise::Noise;
 pub(crate) use sensor::Sensor;

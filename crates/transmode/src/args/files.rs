@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use clap::ValueHint;
 
-use crate::records::options::{factor, period, time_source};
+use crate::records::options::{factor, period};
+use crate::records::selection::TimeSource;
 use crate::records::{LoadOptions, Selection, Window};
 
 /// Files and what of them becomes records.
@@ -19,13 +20,8 @@ pub(crate) struct FileArgs {
     #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
     pub(crate) outputs: Vec<String>,
 
-    /// The column of time [default: the one called time, t or timestamp].
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) time: Option<String>,
-
-    /// The time between two samples, for files without a column of time.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "time", value_parser = period, allow_negative_numbers = true)]
-    pub(crate) sample_period: Option<f64>,
+    #[command(flatten)]
+    pub(crate) time: TimeArgs,
 
     /// Use only this stretch of a file, in seconds of its own time; several windows of one file are several records.
     #[arg(long, value_name = "FILE:START:END", value_parser = Window::parse, value_hint = ValueHint::FilePath)]
@@ -37,11 +33,9 @@ pub(crate) struct FileArgs {
 }
 
 impl FileArgs {
-    /// What the words ask for. Names are trimmed, as those in a file are.
+    /// What the words ask for.
     pub(crate) fn options(&self) -> LoadOptions {
-        let outputs = self.outputs.iter().map(|name| name.trim().to_owned()).collect();
-        let time = time_source(self.time.as_deref(), self.sample_period);
-        let selection = Selection { outputs, time };
+        let selection = selection(&self.outputs, &self.time);
         let decimate = self.decimate.unwrap_or(NonZero::<usize>::MIN);
         let windows = self.window.clone();
         LoadOptions { selection, windows, decimate, ..LoadOptions::default() }
@@ -52,4 +46,33 @@ impl FileArgs {
         let windows = self.window.iter().map(|window| window.file.as_path());
         self.files.iter().map(PathBuf::as_path).chain(windows).collect()
     }
+}
+
+/// Where the times of the samples come from.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub(crate) struct TimeArgs {
+    /// The column of time [default: the one called time, t or timestamp].
+    #[arg(id = "time", long = "time", value_name = "COLUMN")]
+    pub(crate) column: Option<String>,
+
+    /// The time between two samples, for files without a column of time.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "time", value_parser = period, allow_negative_numbers = true)]
+    pub(crate) sample_period: Option<f64>,
+}
+
+impl TimeArgs {
+    /// What the words ask for.
+    fn source(&self) -> TimeSource {
+        match (&self.column, self.sample_period) {
+            (Some(column), _) => TimeSource::Column(column.trim().to_owned()),
+            (None, Some(period_s)) => TimeSource::Period(period_s),
+            (None, None) => TimeSource::Usual,
+        }
+    }
+}
+
+/// The columns that the words ask for. Names are trimmed, as those in a file are.
+pub(super) fn selection(outputs: &[String], time: &TimeArgs) -> Selection {
+    let outputs = outputs.iter().map(|name| name.trim().to_owned()).collect();
+    Selection { outputs, time: time.source() }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use aircraft::{AircraftClass, FlightPhaseCategory};
 use clap::ValueHint;
 
-use super::FileArgs;
+use super::files::FileArgs;
 use super::values::{
     Band, HoldAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order, threads,
 };

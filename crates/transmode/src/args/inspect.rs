@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::files::{TimeArgs, selection};
 use crate::records::Selection;
-use crate::records::options::{period, time_source};
 
 /// Says what is in files before anything is made of them.
 ///
@@ -20,13 +20,8 @@ pub(crate) struct InspectArgs {
     #[arg(long, value_delimiter = ',', value_name = "COLUMN,..")]
     pub(crate) outputs: Vec<String>,
 
-    /// The column of time [default: the one called time, t or timestamp].
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) time: Option<String>,
-
-    /// The time between two samples, for files without a column of time.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "time", value_parser = period, allow_negative_numbers = true)]
-    pub(crate) sample_period: Option<f64>,
+    #[command(flatten)]
+    pub(crate) time: TimeArgs,
 
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
     #[arg(long, value_name = "FILE|-")]
@@ -36,8 +31,7 @@ pub(crate) struct InspectArgs {
 impl InspectArgs {
     /// The columns that the words ask for.
     pub(crate) fn selection(&self) -> Selection {
-        let outputs = self.outputs.iter().map(|name| name.trim().to_owned()).collect();
-        Selection { outputs, time: time_source(self.time.as_deref(), self.sample_period) }
+        selection(&self.outputs, &self.time)
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueHint;
 
-use super::FileArgs;
+use super::files::FileArgs;
 
 /// Tells whether the sensors of new records still go together as those of a healthy one did.
 ///

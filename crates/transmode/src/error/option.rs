@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::counted;
+use crate::numbers::counted;
 
 /// Why an option cannot be used: one sentence with its name and the remedy.
 #[derive(Debug, thiserror::Error)]

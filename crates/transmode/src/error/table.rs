@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::counted;
+use crate::numbers::counted;
 
 /// Why a text is no table of numbers: one sentence with the place and the remedy.
 #[derive(Debug, thiserror::Error)]

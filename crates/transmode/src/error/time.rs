@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::counted;
+use crate::numbers::counted;
 
 /// Why time stamps give no evenly sampled record: one sentence with the place and the remedy.
 #[derive(Debug, thiserror::Error)]

@@ -4,9 +4,10 @@ use cfi_ident::ConstantTerm;
 use poly::Root;
 use serde::Serialize;
 
-use super::found::{Estimate, Found};
+use super::outcome::{Estimate, FitOutcome};
 use super::warning::Warning;
 use crate::CommandError;
+use crate::json::{self, Number};
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -36,7 +37,7 @@ struct Output<'a> {
     noise_variance: Option<f64>,
     parameters: Vec<ParameterOutput>,
     /// Each root of D as often as it counts; `null` if they are not known.
-    poles: Option<Vec<Pole>>,
+    poles: Option<Vec<Number>>,
     warnings: Vec<WarningOutput>,
 }
 
@@ -57,33 +58,27 @@ struct ParameterOutput {
 }
 
 #[derive(Serialize)]
-struct Pole {
-    re: f64,
-    im: f64,
-}
-
-#[derive(Serialize)]
 struct WarningOutput {
     code: &'static str,
     text: String,
 }
 
 /// The JSON text, indented, with a line feed at its end.
-pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, CommandError> {
-    let fit = &found.fit;
+pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> Result<Vec<u8>, CommandError> {
+    let fit = &outcome.fit;
     let structure = fit.model.structure();
     let orders = structure.orders;
     let output = Output {
         schema: 1,
-        file: &found.file,
-        format: found.format,
-        input: &found.input,
-        output: &found.output,
-        sample_period_s: found.sample_period_s,
-        samples: found.samples,
-        missing_samples: found.missing,
+        file: &outcome.file,
+        format: outcome.format,
+        input: &outcome.input,
+        output: &outcome.output,
+        sample_period_s: outcome.sample_period_s,
+        samples: outcome.samples,
+        missing_samples: outcome.missing,
         samples_used: fit.samples_used,
-        segments: found.segments,
+        segments: outcome.segments,
         segments_without_equation: fit.segments_without_equation,
         orders: OrdersOutput {
             iir: orders.iir(),
@@ -101,17 +96,14 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> Result<Vec<u8>, Com
         residual_rms: fit.residual_rms,
         relative_residual: fit.relative_residual,
         noise_variance: fit.noise_variance,
-        parameters: found.estimates().iter().map(parameter).collect(),
-        poles: found.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
+        parameters: outcome.estimates().iter().map(parameter).collect(),
+        poles: outcome.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
         warnings: warnings
             .iter()
             .map(|warning| WarningOutput { code: warning.code(), text: warning.to_string() })
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn parameter(estimate: &Estimate) -> ParameterOutput {
@@ -123,7 +115,7 @@ fn parameter(estimate: &Estimate) -> ParameterOutput {
     }
 }
 
-fn pole(root: &Root) -> impl Iterator<Item = Pole> {
+fn pole(root: &Root) -> impl Iterator<Item = Number> {
     let value = root.value;
-    std::iter::repeat_with(move || Pole { re: value.re, im: value.im }).take(root.multiplicity)
+    std::iter::repeat_with(move || value.into()).take(root.multiplicity)
 }

@@ -5,9 +5,10 @@ use std::path::Path;
 use cfi_ident::{FitError, FitOptions, Segment, Structure};
 
 use super::explained::explained;
-use super::found::{Found, Passes, poles, short_name};
+use super::outcome::{FitOutcome, Passes, poles, short_name};
 use crate::CommandError;
-use crate::records::{Progress, in_file, pair};
+use crate::error::in_file;
+use crate::records::{Progress, pair};
 
 pub(super) fn fit(
     file: &Path,
@@ -16,7 +17,7 @@ pub(super) fn fit(
     structure: &Structure,
     options: &FitOptions,
     progress: Progress,
-) -> Result<Found, CommandError> {
+) -> Result<FitOutcome, CommandError> {
     let pair = pair::load(file, [input, output], time, progress)?;
     let segments = pair
         .stretches
@@ -27,7 +28,7 @@ pub(super) fn fit(
         .and_then(|segments| cfi_ident::fit(&segments, structure, options))
         .map_err(|error| in_file(file, &explained(error)))?;
     let used: usize = pair.stretches.iter().map(ExactSizeIterator::len).sum();
-    Ok(Found {
+    Ok(FitOutcome {
         file: short_name(file),
         format: pair.format.name(),
         passes: Passes::Several,

@@ -6,27 +6,28 @@ use std::path::Path;
 use cfi_ident::{Accumulator, Fit, FitError, FitOptions, Structure};
 
 use super::explained::{explained, explained_in_array};
-use super::format::Format;
-use super::found::{Found, Passes, poles, short_name};
+use super::file_kind::FileKind;
+use super::outcome::{FitOutcome, Passes, poles, short_name};
 use crate::CommandError;
+use crate::error::in_file;
 use crate::records::binary::{self, Placement};
 use crate::records::blocks::{Block, Blocks};
 use crate::records::npy;
 use crate::records::progress::{Bar, Progress};
+use crate::records::raw;
 use crate::records::runs::{Infinite, Side, runs};
-use crate::records::{in_file, raw};
 
 pub(super) fn fit(
     file: &Path,
-    format: Format,
+    kind: FileKind,
     [input, output]: [&str; 2],
     structure: &Structure,
     options: &FitOptions,
     progress: Progress,
-) -> Result<Found, CommandError> {
+) -> Result<FitOutcome, CommandError> {
     let (mut source, length) = binary::open(file)?;
-    let placement = match format {
-        Format::Raw(channels) => raw::placement(&mut source, length, channels),
+    let placement = match kind {
+        FileKind::Raw(channels) => raw::placement(&mut source, length, channels),
         _ => npy::placement(&mut source, length),
     };
     let placement = placement.map_err(|error| error.of_file(file))?;
@@ -58,9 +59,9 @@ pub(super) fn fit(
     let fit = sums.fit().map_err(|error| {
         fault(&explained_in_array(error, placement.samples(), placement.channels()))
     })?;
-    Ok(Found {
+    Ok(FitOutcome {
         file: short_name(file),
-        format: format.name(),
+        format: kind.name(),
         passes: Passes::One,
         input: channels[0].to_string(),
         output: channels[1].to_string(),

@@ -7,28 +7,28 @@ use comfy_table::{CellAlignment, Table, presets};
 use poly::Root;
 use report::{format_conjugate_pair, format_significant};
 
-use super::found::{Estimate, Found};
+use super::outcome::{Estimate, FitOutcome};
 use super::warning::Warning;
 
 /// How many Markov parameters are shown.
 const LARGEST: usize = 5;
 
 /// What was fitted, how well, and every reason for care.
-pub(super) fn render(found: &Found, warnings: &[Warning]) -> String {
-    let fit = &found.fit;
+pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> String {
+    let fit = &outcome.fit;
     let structure = fit.model.structure();
     let parameters = structure.parameter_count();
     let short = |value: f64| format_significant(value, 2);
     let mut text = String::new();
-    let period = found.sample_period_s.map_or_else(String::new, |s| format!(", every {s} s"));
-    let gaps = match found.missing {
+    let period = outcome.sample_period_s.map_or_else(String::new, |s| format!(", every {s} s"));
+    let gaps = match outcome.missing {
         0 => String::new(),
         missing => format!(", {missing} of them missing"),
     };
     let _ = writeln!(
         text,
         "transmissibility from {} to {}: {}, {} samples{period}{gaps}",
-        found.input, found.output, found.file, found.samples
+        outcome.input, outcome.output, outcome.file, outcome.samples
     );
     let constant_term = match structure.constant_term {
         ConstantTerm::Included => ", with a constant term",
@@ -39,8 +39,8 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> String {
         text,
         "fit: {} equations from {} stretch{}, rank {} of {parameters}, condition number {}, rounding {}",
         fit.equations,
-        found.segments,
-        if found.segments == 1 { "" } else { "es" },
+        outcome.segments,
+        if outcome.segments == 1 { "" } else { "es" },
         fit.rank,
         short(fit.condition),
         short(fit.expected_error),
@@ -51,10 +51,10 @@ pub(super) fn render(found: &Found, warnings: &[Warning]) -> String {
         format_significant(fit.residual_rms, 4),
         short(fit.relative_residual)
     );
-    if let Ok(poles) = &found.poles {
+    if let Ok(poles) = &outcome.poles {
         let _ = writeln!(text, "poles in z: {}", listed(poles));
     }
-    let _ = writeln!(text, "\n{}\n", table(&found.estimates()));
+    let _ = writeln!(text, "\n{}\n", table(&outcome.estimates()));
     for warning in warnings {
         let _ = writeln!(text, "warning: {warning}");
     }

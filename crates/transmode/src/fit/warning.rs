@@ -4,7 +4,7 @@ use std::fmt;
 
 use report::format_significant;
 
-use super::found::{Found, Passes};
+use super::outcome::{FitOutcome, Passes};
 
 /// Parameters that rounding may move by more than this are doubtful: ten digits are more than any sensor has, and fewer would hide that the
 /// record barely determines them.
@@ -53,11 +53,11 @@ impl Warning {
 }
 
 /// All that holds, the gravest first.
-pub(super) fn warnings(found: &Found) -> Vec<Warning> {
-    let fit = &found.fit;
+pub(super) fn warnings(outcome: &FitOutcome) -> Vec<Warning> {
+    let fit = &outcome.fit;
     let structure = fit.model.structure();
     let parameters = structure.parameter_count();
-    let passes = found.passes;
+    let passes = outcome.passes;
     let mut warnings = Vec::new();
     if let Some(open) = &fit.unidentifiable {
         let open = open.parameters.iter().map(ToString::to_string).collect();
@@ -72,13 +72,13 @@ pub(super) fn warnings(found: &Found) -> Vec<Warning> {
     if fit.segments_without_equation > 0 {
         let orders = structure.orders;
         let needed = orders.samples_needed(1);
-        let (count, segments) = (fit.segments_without_equation, found.segments);
+        let (count, segments) = (fit.segments_without_equation, outcome.segments);
         warnings.push(Warning::ShortSegments { count, segments, needed });
     }
     if fit.degrees_of_freedom == 0 {
         warnings.push(Warning::NoFreedom { equations: fit.equations });
     }
-    if let Err(reason) = &found.poles {
+    if let Err(reason) = &outcome.poles {
         warnings.push(Warning::NoPoles { reason: reason.clone() });
     }
     warnings

@@ -9,8 +9,9 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
 use toml::{Spanned, Value};
 
+use crate::CommandError;
 use crate::args::{Given, IdentifyArgs};
-use crate::{CommandError, OptionError};
+use crate::error::OptionError;
 
 /// Options that are given together or instead of each other: where the command line has one of them, the file's are not used.
 const TOGETHER: [&[&str]; 3] =

@@ -2,10 +2,11 @@
 
 use reconstruct::{ReconstructError, Record};
 
+use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{MethodName, QuietFile};
+use crate::error::OptionError;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress, Source};
-use crate::{CommandError, OptionError};
 
 /// What the methods are given.
 #[derive(Debug)]

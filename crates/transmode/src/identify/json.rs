@@ -2,12 +2,12 @@
 
 mod printed;
 
-use num_complex::Complex;
 use reconstruct::{Estimate, Hold, LikelihoodFit, OrderEvidence, SearchStatus};
 use serde::Serialize;
 
 use super::outcome::Outcome;
-use crate::modes::Found;
+use crate::json::{self, Number};
+use crate::modes::IdentifiedMode;
 use crate::{CommandError, doubts};
 use printed::TransmissibilityOutput;
 
@@ -61,19 +61,6 @@ struct RecordOutput<'a> {
     excitation_rank: Option<usize>,
     /// Probability of residuals as little white by chance.
     whiteness_p_value: Option<f64>,
-}
-
-/// A complex number.
-#[derive(Serialize)]
-struct Number {
-    re: f64,
-    im: f64,
-}
-
-impl From<Complex<f64>> for Number {
-    fn from(value: Complex<f64>) -> Self {
-        Self { re: value.re, im: value.im }
-    }
 }
 
 /// A mode; a complex pair appears once, with a positive imaginary part.
@@ -152,7 +139,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         modes: outcome.found.iter().map(|found| mode(outcome, found)).collect(),
         noise: noise(outcome),
         noise_origin: outcome.noise_origin(),
-        band_rad_s: outcome.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        band_rad_s: outcome.options.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
         hold: result.likelihood.as_ref().map(hold),
         goodness: GoodnessOutput {
             chi2_per_dof: result.goodness.map(|goodness| goodness.per_degree_of_freedom()),
@@ -166,10 +153,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
             .chain(doubts)
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn order(evidence: &OrderEvidence) -> OrderOutput {
@@ -193,7 +177,7 @@ fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
     outcome.records.iter().enumerate().map(record).collect()
 }
 
-fn mode(outcome: &Outcome<'_>, found: &Found) -> ModeOutput {
+fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {
     let (mode, estimate) = (&found.mode.mode, found.mode.estimate.as_ref());
     let interval = |estimate: &Estimate| estimate.interval_95();
     ModeOutput {

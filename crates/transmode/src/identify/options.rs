@@ -7,9 +7,10 @@ use reconstruct::{
     FrequencyBand, Hold, Method, NoiseModel, Offsets, Options, OrderChoice, Record, Trend,
 };
 
+use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{HoldAsked, MethodName, OffsetsAsked, OrderAsked, threads_or_all};
-use crate::{CommandError, OptionError};
+use crate::error::OptionError;
 
 /// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
 const PASSED: f64 = 0.8;

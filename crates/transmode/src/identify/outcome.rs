@@ -1,39 +1,63 @@
 //! All that there is to say of one run, for the terminal, the JSON and the report.
 
-use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, level};
+use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, NamedMode, level};
 use reconstruct::{
-    FrequencyBand, NoiseOrigin, Reconstruction, ReconstructionDoubt, Record, SubspaceDoubt,
+    ComparedOrder, NoiseOrigin, Options, Reconstruction, ReconstructionDoubt, Record, SubspaceDoubt,
 };
+use report::format_significant;
 
 use crate::args::values::MethodName;
-use crate::modes::Found;
+use crate::modes::IdentifiedMode;
 use crate::records::{LoadWarning, Source};
 
 /// The result with what it was made of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome<'a> {
+    /// The command line, ready to be pasted.
+    pub(crate) command: &'a str,
     pub(crate) method: MethodName,
     pub(crate) records: &'a [Record],
+    /// One for each record.
     pub(crate) sources: &'a [Source],
+    /// What the result was asked with.
+    pub(crate) options: &'a Options,
     pub(crate) result: &'a Reconstruction,
     /// The modes with their names, the fastest first.
-    pub(crate) found: &'a [Found],
-    pub(crate) band: Option<FrequencyBand>,
-    pub(crate) flight: Option<Flight>,
+    pub(crate) found: &'a [IdentifiedMode],
+    /// For flying-quality levels, which are left out without it.
+    pub(crate) flying_qualities: Option<FlyingQualitiesCase>,
     pub(crate) warnings: &'a [LoadWarning],
 }
 
-/// What flying-quality levels are asked for.
+/// What MIL-F-8785C makes flying-quality levels depend on.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Flight {
+pub(crate) struct FlyingQualitiesCase {
     pub(crate) class: AircraftClass,
     pub(crate) phase: FlightPhaseCategory,
 }
 
+impl FlyingQualitiesCase {
+    /// The level of a mode, where the standard has requirements for one of its name.
+    pub(crate) fn level(self, mode: &NamedMode) -> Option<FlyingQualityLevel> {
+        level(mode, self.class, self.phase)
+    }
+}
+
 impl Outcome<'_> {
     /// The flying-quality level of a mode, where class and phase are known.
-    pub(crate) fn level(&self, found: &Found) -> Option<FlyingQualityLevel> {
-        self.flight.and_then(|flight| level(&found.named, flight.class, flight.phase))
+    pub(crate) fn level(&self, found: &IdentifiedMode) -> Option<FlyingQualityLevel> {
+        self.flying_qualities.and_then(|case| case.level(&found.named))
+    }
+
+    /// How the order used compares with others, `e^57 times as likely as 3, e^9.1 times as likely
+    /// as 5`; empty where no other was fitted.
+    pub(crate) fn likelihood_ratios(&self) -> String {
+        let ratio = |other: &ComparedOrder| {
+            // The criterion is minus twice a logarithm.
+            let exponent = format_significant(other.above / 2.0, 2);
+            format!("e^{exponent} times as likely as {}", other.order)
+        };
+        self.result.compared_orders.iter().map(ratio).collect::<Vec<_>>().join(", ")
     }
 
     /// The unit of a channel, where all files that state one agree.

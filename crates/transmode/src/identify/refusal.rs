@@ -2,7 +2,8 @@
 
 use reconstruct::ReconstructError;
 
-use crate::{CommandError, OptionError};
+use crate::CommandError;
+use crate::error::OptionError;
 
 /// One sentence that names the option at fault, where an option is.
 pub(super) fn sentence(error: &ReconstructError, noise: Option<&str>) -> CommandError {

@@ -11,7 +11,7 @@ use report::{format_conjugate_pair, format_significant};
 
 use super::outcome::Outcome;
 use crate::args::values::MethodName;
-use crate::modes::Found;
+use crate::modes::IdentifiedMode;
 
 /// The modes, how they were found, and every reason not to trust them.
 pub(super) fn render(outcome: &Outcome<'_>) -> String {
@@ -67,7 +67,7 @@ fn method(outcome: &Outcome<'_>) -> String {
 fn table(outcome: &Outcome<'_>) -> Table {
     let estimated = outcome.result.likelihood.is_some();
     let printed = outcome.result.printed.is_some();
-    let levels = outcome.flight.is_some();
+    let levels = outcome.flying_qualities.is_some();
     let columns = [
         ("mode", true),
         ("eigenvalue [1/s]", true),
@@ -99,7 +99,7 @@ fn table(outcome: &Outcome<'_>) -> Table {
     table
 }
 
-fn row(outcome: &Outcome<'_>, found: &Found) -> Vec<String> {
+fn row(outcome: &Outcome<'_>, found: &IdentifiedMode) -> Vec<String> {
     let (mode, estimate) = (&found.mode.mode, found.mode.estimate.as_ref());
     let dash = || "-".to_owned();
     let number = |value: f64| format_significant(value, 5);

@@ -5,13 +5,11 @@ use std::path::Path;
 use super::signal::Signal;
 use crate::CommandError;
 use crate::numbers::rounded;
-use crate::records::format::Format;
+use crate::records::open::open;
 use crate::records::progress::Progress;
 use crate::records::sampling::Even;
 use crate::records::segments::{SHORTEST, segments};
-use crate::records::selection::{Selected, Selection, TimeSource, is_time};
-use crate::records::source;
-use crate::records::table::Heading;
+use crate::records::selection::{Selection, TimeSource, Wanted, is_time};
 use crate::records::timing::{Times, scale};
 
 /// A method needs at least so many sensors.
@@ -75,21 +73,17 @@ pub(super) fn inspect(
     selection: &Selection,
     progress: Progress,
 ) -> Result<Inspected, CommandError> {
-    let mut selected = Selected::default();
-    let mut selection = selection.clone();
-    let mut findings = Vec::new();
-    let mut choose = |format: Format, headings: &[Heading]| {
-        if selection.time == TimeSource::Usual
-            && !headings.iter().any(|heading| is_time(&heading.name))
-        {
-            selection.time = TimeSource::Period(1.0);
-            let text = "no column is called time, t or timestamp: name it with --time, or give --sample-period".to_owned();
-            findings.push(Finding { weight: Weight::Problem, code: "no-time", text });
-        }
-        selected = selection.select(file, format, headings)?;
-        Ok(selected.chosen())
-    };
-    let mut table = source::read(file, &mut choose, progress)?;
+    let opened = open(file, progress)?;
+    let (mut selection, mut findings) = (selection.clone(), Vec::new());
+    if selection.time == TimeSource::Usual
+        && !opened.headings().iter().any(|heading| is_time(&heading.name))
+    {
+        selection.time = TimeSource::Period(1.0);
+        let text = "no column is called time, t or timestamp: name it with --time, or give --sample-period".to_owned();
+        findings.push(Finding { weight: Weight::Problem, code: "no-time", text });
+    }
+    let selected = selection.select(file, opened.format(), opened.headings())?;
+    let mut table = opened.read(selected.chosen())?;
     let factor = selected.time.map(|time| time.factor);
     let time = selected.time.map(|time| table.headings[time.index].name.clone());
     let times = Times::take(file, &mut table, factor, &selection.time)?;
@@ -114,7 +108,7 @@ pub(super) fn inspect(
             None
         }
     };
-    let channel = |(index, sensor): (usize, &crate::records::selection::Wanted)| {
+    let channel = |(index, sensor): (usize, &Wanted)| {
         let heading = table.heading(index);
         let (name, unit) = (heading.name.clone(), heading.unit.clone());
         Channel { name, unit, si: sensor.si, signal: Signal::of(values[index]) }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::file::{Channel, Finding, Inspected, Weight};
-use crate::CommandError;
+use crate::{CommandError, json};
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -65,10 +65,7 @@ struct FindingOutput<'a> {
 pub(super) fn render(files: &[Inspected], suggestion: &str) -> Result<Vec<u8>, CommandError> {
     let files = files.iter().map(file).collect();
     let output = Output { schema: 1, files, suggestion };
-    let mut text = serde_json::to_vec_pretty(&output)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&output)
 }
 
 fn file(file: &Inspected) -> FileOutput<'_> {

@@ -53,7 +53,6 @@ impl Signal {
             squares += value * value;
             count += 1;
         }
-        #[expect(clippy::cast_precision_loss, reason = "a count of samples is far below 2^53")]
         let count = count.max(1) as f64;
         signal.mean = sum / count;
         signal.rms = (squares / count).sqrt();
@@ -80,7 +79,6 @@ impl Signal {
                 Some((*row - run.len(), run))
             })
         };
-        #[expect(clippy::cast_precision_loss, reason = "counts of samples are far below 2^53")]
         let unusual =
             |length: usize| length as f64 > UNUSUAL * values.len() as f64 / runs().count() as f64;
         let longest = runs().filter(|(_, run)| !run[0].is_nan()).max_by_key(|(_, run)| run.len());

@@ -1,11 +1,13 @@
 //! Several files in a folder: all of them, or none.
 
-use std::io::{Error, ErrorKind, Write};
+use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempDir};
 
-use super::{draft_in, refuse_folder, uninterrupted};
+use super::draft::draft_in;
+use super::interrupt::uninterrupted;
+use super::place::refuse_folder;
 use crate::CommandError;
 
 /// What happens to files that are there.
@@ -105,9 +107,7 @@ fn prepare(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<Prepared, Comma
     for (name, bytes) in files {
         let file = folder.join(name);
         let fault = |source| CommandError::Write { file: file.clone(), source };
-        let mut text = draft_in(folder).map_err(fault)?;
-        text.as_file_mut().write_all(bytes).map_err(fault)?;
-        text.as_file().sync_all().map_err(fault)?;
+        let text = draft_in(folder, bytes).map_err(fault)?;
         drafts.push(Draft { file, text });
     }
     let old = tempfile::Builder::new()

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::format_error::FormatError;
 use crate::CommandError;
+use crate::error::in_file;
 
 /// More channels than this are refused: it is an array of channels x samples, and a row of it would fill the memory.
 const MOST_CHANNELS: u64 = 1_000_000;
@@ -20,13 +21,13 @@ pub(crate) struct Placement {
     offset: u64,
     samples: u64,
     channels: u64,
-    order: Order,
+    layout: Layout,
     number: Number,
 }
 
 /// Which numbers are neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
+pub(crate) enum Layout {
     /// All channels of a sample, then the next sample.
     SampleBySample,
     /// All samples of a channel, then the next channel.
@@ -37,7 +38,7 @@ pub(crate) enum Order {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Number {
     pub(crate) width: Width,
-    pub(crate) ends: Ends,
+    pub(crate) byte_order: ByteOrder,
 }
 
 /// The size of a number.
@@ -49,7 +50,7 @@ pub(crate) enum Width {
 
 /// Which end of a number comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ends {
+pub(crate) enum ByteOrder {
     Little,
     Big,
 }
@@ -59,7 +60,7 @@ impl Placement {
     pub(crate) fn new(
         offset: u64,
         [samples, channels]: [u64; 2],
-        order: Order,
+        layout: Layout,
         number: Number,
         length: u64,
     ) -> Result<Self, FormatError> {
@@ -74,7 +75,7 @@ impl Placement {
         if needed != u128::from(found) {
             return Err(FormatError::Length { samples, channels, needed, found });
         }
-        Ok(Self { offset, samples, channels, order, number })
+        Ok(Self { offset, samples, channels, layout, number })
     }
 
     /// Reads the channels asked for, all samples of each.
@@ -86,22 +87,23 @@ impl Placement {
     ) -> Result<Vec<Vec<f64>>, Error> {
         let width = u64::from(self.number.width.bytes());
         // One sample after another of all channels, or of one channel alone.
-        let (passes, row) = match self.order {
-            Order::SampleBySample => (1, self.channels * width),
-            Order::ChannelByChannel => (wanted.len(), width),
+        let (passes, row) = match self.layout {
+            Layout::SampleBySample => (1, self.channels * width),
+            Layout::ChannelByChannel => (wanted.len(), width),
         };
         let at_once = (BLOCK_BYTES / row).max(1);
         let mut values = vec![Vec::new(); wanted.len()];
         let mut bytes = Vec::new();
         for pass in 0..passes {
-            let before = if self.order == Order::SampleBySample { 0 } else { wanted[pass] as u64 };
+            let before =
+                if self.layout == Layout::SampleBySample { 0 } else { wanted[pass] as u64 };
             source.seek(SeekFrom::Start(self.offset + before * self.samples * width))?;
             let mut left = self.samples;
             while left > 0 {
                 let samples = at_once.min(left);
                 bytes.resize(length(samples * row), 0);
                 source.read_exact(&mut bytes)?;
-                if self.order == Order::ChannelByChannel {
+                if self.layout == Layout::ChannelByChannel {
                     self.number.decode(&bytes, length(width), &mut values[pass]);
                 } else {
                     for (channel, values) in wanted.iter().zip(&mut values) {
@@ -132,12 +134,22 @@ impl Placement {
         self.channels
     }
 
-    pub(crate) fn order(&self) -> Order {
-        self.order
+    pub(crate) fn layout(&self) -> Layout {
+        self.layout
     }
 
     pub(crate) fn number(&self) -> Number {
         self.number
+    }
+}
+
+impl ByteOrder {
+    /// The whole number that four bytes stand for.
+    pub(crate) fn u32(self, bytes: [u8; 4]) -> u32 {
+        match self {
+            Self::Little => u32::from_le_bytes(bytes),
+            Self::Big => u32::from_be_bytes(bytes),
+        }
     }
 }
 
@@ -159,11 +171,11 @@ impl Number {
         let four = |read: fn([u8; 4]) -> f32| {
             bytes.chunks(stride).filter_map(|c| c.first_chunk()).map(move |c| f64::from(read(*c)))
         };
-        match (self.width, self.ends) {
-            (Width::Eight, Ends::Little) => values.extend(eight(f64::from_le_bytes)),
-            (Width::Eight, Ends::Big) => values.extend(eight(f64::from_be_bytes)),
-            (Width::Four, Ends::Little) => values.extend(four(f32::from_le_bytes)),
-            (Width::Four, Ends::Big) => values.extend(four(f32::from_be_bytes)),
+        match (self.width, self.byte_order) {
+            (Width::Eight, ByteOrder::Little) => values.extend(eight(f64::from_le_bytes)),
+            (Width::Eight, ByteOrder::Big) => values.extend(eight(f64::from_be_bytes)),
+            (Width::Four, ByteOrder::Little) => values.extend(four(f32::from_le_bytes)),
+            (Width::Four, ByteOrder::Big) => values.extend(four(f32::from_be_bytes)),
         }
     }
 }
@@ -177,7 +189,7 @@ pub(crate) fn open(file: &Path) -> Result<(File, u64), CommandError> {
         return Err(fault(Error::from(ErrorKind::IsADirectory)));
     }
     if !metadata.is_file() {
-        return Err(super::in_file(file, &FormatError::NotRegular));
+        return Err(in_file(file, &FormatError::NotRegular));
     }
     Ok((File::open(file).map_err(fault)?, metadata.len()))
 }

@@ -2,7 +2,7 @@
 
 use std::io::{Read, Result, Seek, SeekFrom};
 
-use super::binary::{Order, Placement};
+use super::binary::{Layout, Placement};
 
 /// Bytes read at once: enough to keep the disk and the sums busy, little beside any machine's memory.
 const BLOCK_BYTES: u64 = 4 << 20;
@@ -33,9 +33,9 @@ impl<R: Read + Seek> Blocks<R> {
     /// Blocks of about four megabytes. The channels must be there.
     pub(crate) fn new(source: R, placement: Placement, channels: [u64; 2]) -> Self {
         let width = u64::from(placement.number().width.bytes());
-        let sample_bytes = match placement.order() {
-            Order::SampleBySample => placement.channels() * width,
-            Order::ChannelByChannel => 2 * width,
+        let sample_bytes = match placement.layout() {
+            Layout::SampleBySample => placement.channels() * width,
+            Layout::ChannelByChannel => 2 * width,
         };
         Self::of_samples(source, placement, channels, BLOCK_BYTES / sample_bytes)
     }
@@ -55,9 +55,9 @@ impl<R: Read + Seek> Blocks<R> {
             return Ok(None);
         }
         self.values.iter_mut().for_each(Vec::clear);
-        match self.placement.order() {
-            Order::SampleBySample => self.read_samples(first, samples)?,
-            Order::ChannelByChannel => {
+        match self.placement.layout() {
+            Layout::SampleBySample => self.read_samples(first, samples)?,
+            Layout::ChannelByChannel => {
                 self.read_channel(0, first, samples)?;
                 self.read_channel(1, first, samples)?;
             }

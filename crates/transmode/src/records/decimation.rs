@@ -36,7 +36,6 @@ impl Decimator {
     ///
     /// Source: J. F. Kaiser, "Nonrecursive digital filter design using the I0-sinh window function", 1974; as A. V. Oppenheim and R. W. Schafer,
     /// "Discrete-Time Signal Processing", 3rd edition, 7.75 and 7.76, give it.
-    #[expect(clippy::cast_precision_loss, reason = "lengths of filters are small")]
     pub(crate) fn new(factor: NonZero<usize>) -> Self {
         let margin = margin(factor);
         let factor = factor.get();
@@ -79,12 +78,10 @@ pub(crate) fn length(factor: NonZero<usize>) -> usize {
     margin(factor).saturating_mul(2).saturating_add(1)
 }
 
-#[expect(clippy::cast_precision_loss, reason = "a filter that long fits no record")]
 #[expect(
     clippy::cast_possible_truncation,
     reason = "what is too large stays the largest number there is"
 )]
-#[expect(clippy::cast_sign_loss, reason = "it is positive")]
 fn margin(factor: NonZero<usize>) -> usize {
     if factor == NonZero::<usize>::MIN {
         return 0;

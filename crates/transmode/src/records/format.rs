@@ -3,7 +3,14 @@
 use std::path::Path;
 
 use super::format_error::FormatError;
-use super::npy;
+
+/// What every NPY file starts with.
+pub(crate) const NPY_MAGIC: &[u8] = b"\x93NUMPY";
+const GZIP_MAGIC: &[u8] = b"\x1f\x8b";
+/// Of a ZIP archive: a file entry, or the end of an archive without any.
+const ZIP_MAGICS: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
+const PARQUET_MAGIC: &[u8] = b"PAR1";
+const HDF5_MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// How many bytes of a file tell its format.
 pub(crate) const START: usize = 1024;
@@ -25,18 +32,16 @@ impl Format {
     pub(crate) fn of(start: &[u8], file: &Path) -> Result<Self, FormatError> {
         let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase());
         let extension = extension.as_deref();
-        const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
-        if start.starts_with(b"\x1f\x8b") {
+        if start.starts_with(GZIP_MAGIC) {
             return Ok(Self::GzippedText);
         }
-        if start.starts_with(npy::MAGIC) {
+        if start.starts_with(NPY_MAGIC) {
             return Ok(Self::Npy);
         }
-        // A file entry, or the end of an archive without any.
-        if start.starts_with(b"PK\x03\x04") || start.starts_with(b"PK\x05\x06") {
+        if ZIP_MAGICS.iter().any(|magic| start.starts_with(magic)) {
             return Ok(Self::Npz);
         }
-        if start.starts_with(b"PAR1") {
+        if start.starts_with(PARQUET_MAGIC) {
             return if cfg!(feature = "parquet") {
                 Ok(Self::Parquet)
             } else {
@@ -45,11 +50,11 @@ impl Format {
         }
         // MATLAB puts 512 bytes of its own before those of HDF5.
         if start.starts_with(b"MATLAB 7.3")
-            || start.get(512..).is_some_and(|start| start.starts_with(HDF5))
+            || start.get(512..).is_some_and(|start| start.starts_with(HDF5_MAGIC))
         {
             return Err(FormatError::Mat73);
         }
-        if start.starts_with(HDF5) {
+        if start.starts_with(HDF5_MAGIC) {
             return Err(if extension == Some("mat") {
                 FormatError::Mat73
             } else {

@@ -1,6 +1,6 @@
 //! What can be wrong with a binary record, in the words of a message.
 
-use crate::error::counted;
+use crate::numbers::counted;
 
 /// Why a binary record cannot be read: what was found, what is needed, what to do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -5,7 +5,8 @@ use std::path::Path;
 use super::options::LoadOptions;
 use super::selection::{Selected, TimeSource, position, wanted};
 use super::table::Heading;
-use crate::{CommandError, SelectionError};
+use crate::CommandError;
+use crate::error::SelectionError;
 
 /// Refuses names that no file could satisfy.
 pub(super) fn check(options: &LoadOptions) -> Result<(), CommandError> {

@@ -7,20 +7,20 @@ use lti::SamplePeriod;
 use reconstruct::{Channel, Record};
 
 use super::decimation::{self, Decimator};
-use super::format::Format;
-use super::in_file;
 use super::known_inputs;
+use super::open::open;
 use super::options::{LoadOptions, Window};
 use super::progress::Progress;
 use super::same_units;
 use super::segments::{SHORTEST, segments};
 use super::selection::Selected;
-use super::source;
+use super::source::Source;
 use super::table::Table;
 use super::timing::{Times, scale};
 use super::warning::LoadWarning;
-use crate::numbers::{number, without_rounding};
-use crate::{CommandError, SelectionError};
+use crate::CommandError;
+use crate::error::{SelectionError, in_file};
+use crate::numbers::without_rounding;
 
 /// Records and where they come from.
 #[derive(Debug)]
@@ -32,19 +32,6 @@ pub(crate) struct Loaded {
     /// For each record the measured inputs, in the order in which they were asked for.
     pub(crate) known_inputs: Vec<Vec<Vec<f64>>>,
     pub(crate) warnings: Vec<LoadWarning>,
-}
-
-/// Where a record comes from.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Source {
-    pub(crate) file: PathBuf,
-    pub(crate) format: Format,
-    /// The time of its first and of its last sample, in seconds of the file's own time.
-    pub(crate) span_s: [f64; 2],
-    /// The unit of each channel after conversion, where the file states one.
-    pub(crate) units: Vec<Option<&'static str>>,
-    /// Index of the file, or of the window of one, among all of them: the stretches between the gaps of one have it in common.
-    pub(crate) whole: usize,
 }
 
 /// Reads the records in `files`, and those in windows of files that are not among them.
@@ -164,16 +151,11 @@ fn recording<'a>(
     options: &LoadOptions,
     progress: Progress,
 ) -> Result<Recording<'a>, CommandError> {
-    let mut selected: Option<Selected> = None;
-    let mut choose = |format: Format, headings: &[_]| {
-        let mut found = options.selection.select(file, format, headings)?;
-        known_inputs::select(file, headings, options, &mut found)?;
-        let chosen = found.chosen();
-        selected = Some(found);
-        Ok(chosen)
-    };
-    let mut table = source::read(file, &mut choose, progress)?;
-    let Selected { time, sensors } = selected.unwrap_or_default();
+    let opened = open(file, progress)?;
+    let mut selected = options.selection.select(file, opened.format(), opened.headings())?;
+    known_inputs::select(file, opened.headings(), options, &mut selected)?;
+    let mut table = opened.read(selected.chosen())?;
+    let Selected { time, sensors } = selected;
     let times =
         Times::take(file, &mut table, time.map(|time| time.factor), &options.selection.time)?;
     for (values, sensor) in table.values.iter_mut().zip(&sensors) {
@@ -270,7 +252,7 @@ impl Recording<'_> {
         let known = channels.split_off(self.units.len());
         let period = SamplePeriod::new(match factor.get() {
             1 => period_s,
-            factor => without_rounding(period_s * number(factor)),
+            factor => without_rounding(period_s * factor as f64),
         });
         let period = period.map_err(|error| in_file(self.file, &error))?;
         let record =
@@ -281,7 +263,6 @@ impl Recording<'_> {
         loaded.known_inputs.push(known.into_iter().map(|channel| channel.values).collect());
         loaded.sources.push(Source {
             file: self.file.to_owned(),
-            format: self.table.format,
             span_s: [self.times.at(first), self.times.at(last)],
             units: self.units.clone(),
             whole,

@@ -10,17 +10,18 @@
 
 mod element;
 
-use std::io::{Error, ErrorKind, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
 
 use flate2::read::ZlibDecoder;
 
+use super::binary::ByteOrder;
 use super::format::Format;
 use super::format_error::FormatError;
-use super::table::{Choose, Heading, Places, Table};
-use super::{finite, in_file};
+use super::table::{Chosen, Heading, Opened, Places, Table};
 use crate::CommandError;
-use element::{Ends, Tag, Variable};
+use crate::error::in_file;
+use element::{MatError, Tag, Variable};
 
 /// Bytes of the header.
 const HEADER: u64 = 128;
@@ -32,50 +33,37 @@ const COMPRESSED: u32 = 15;
 /// More columns than this are refused: the matrix is the wrong way round.
 const MOST_COLUMNS: u64 = 10_000;
 
-/// Why a file was not read.
-#[derive(Debug)]
-enum MatError {
-    Read(Error),
-    Damaged(&'static str),
-}
-
-impl From<Error> for MatError {
-    fn from(error: Error) -> Self {
-        match error.kind() {
-            ErrorKind::UnexpectedEof => Self::Damaged("it ends there"),
-            // What the decompressor says.
-            ErrorKind::InvalidData | ErrorKind::InvalidInput => {
-                Self::Damaged("what is compressed is garbled")
-            }
-            _ => Self::Read(error),
-        }
-    }
-}
-
 /// A variable and where its element starts.
 struct Place {
     at: u64,
     variable: Variable,
 }
 
-/// Reads the chosen channels of a file of `length` bytes.
-pub(crate) fn read(
+/// A file whose variables are known, and not their numbers.
+pub(crate) struct OpenedMat<R> {
+    file: PathBuf,
+    source: R,
+    byte_order: ByteOrder,
+    places: Vec<Place>,
+    headings: Vec<Heading>,
+    /// For each channel its variable and its column there.
+    homes: Vec<(usize, usize)>,
+}
+
+/// Opens a file of `length` bytes and reads what variables it has.
+pub(crate) fn open<R: Read + Seek>(
     file: &Path,
-    mut source: impl Read + Seek,
+    mut source: R,
     length: u64,
-    choose: &mut Choose<'_>,
-) -> Result<Table, CommandError> {
-    let fault = |at: u64, error| match error {
-        MatError::Read(source) => CommandError::Read { file: file.to_owned(), source },
-        MatError::Damaged(what) => in_file(file, &FormatError::DamagedMat { at, what }),
-    };
-    let ends = ends(&mut source).map_err(|error| fault(0, error))?;
+) -> Result<OpenedMat<R>, CommandError> {
+    let fault = |at, error| in_words(file, at, error);
+    let byte_order = byte_order(&mut source).map_err(|error| fault(0, error))?;
     let mut places: Vec<Place> = Vec::new();
     let mut at = HEADER;
     while at < length {
-        let mut each = |element: &mut dyn Read| Variable::read(element, ends);
+        let mut each = |element: &mut dyn Read| Variable::read(element, byte_order);
         let (variable, next) =
-            visit(&mut source, ends, at, &mut each).map_err(|error| fault(at, error))?;
+            visit(&mut source, byte_order, at, &mut each).map_err(|error| fault(at, error))?;
         if next > length {
             return Err(fault(at, MatError::Damaged("the file ends within a variable")));
         }
@@ -86,38 +74,62 @@ pub(crate) fn read(
     if headings.iter().all(|heading| heading.fault.is_some()) {
         return Err(in_file(file, &FormatError::NoNumbers { found: kinds(&places) }));
     }
-    let chosen = choose(Format::Mat, &headings)?.channels;
-    let mut values = vec![Vec::new(); chosen.len()];
-    for (index, place) in places.iter().enumerate() {
-        let mut wanted: Vec<(usize, usize)> = Vec::new();
-        for (slot, channel) in chosen.iter().enumerate() {
-            if homes[*channel].0 == index {
-                wanted.push((homes[*channel].1, slot));
-            }
-        }
-        if wanted.is_empty() {
-            continue;
-        }
-        let mut each = |element: &mut dyn Read| {
-            let Some(variable) = Variable::read(element, ends)? else { return Ok(()) };
-            variable.numbers(element, ends, |column, number| {
-                for (_, slot) in wanted.iter().filter(|(wanted, _)| *wanted == column) {
-                    values[*slot].push(number);
-                }
-            })
-        };
-        visit(&mut source, ends, place.at, &mut each).map_err(|error| fault(place.at, error))?;
+    Ok(OpenedMat { file: file.to_owned(), source, byte_order, places, headings, homes })
+}
+
+impl<R: Read + Seek> Opened for OpenedMat<R> {
+    fn format(&self) -> Format {
+        Format::Mat
     }
-    finite(file, Table { format: Format::Mat, headings, chosen, values, places: Places::Samples })
+
+    fn headings(&self) -> &[Heading] {
+        &self.headings
+    }
+
+    fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
+        let Self { file, mut source, byte_order, places, headings, homes } = *self;
+        let chosen = chosen.channels;
+        let mut values = vec![Vec::new(); chosen.len()];
+        for (index, place) in places.iter().enumerate() {
+            let mut wanted: Vec<(usize, usize)> = Vec::new();
+            for (slot, channel) in chosen.iter().enumerate() {
+                if homes[*channel].0 == index {
+                    wanted.push((homes[*channel].1, slot));
+                }
+            }
+            if wanted.is_empty() {
+                continue;
+            }
+            let mut each = |element: &mut dyn Read| {
+                let Some(variable) = Variable::read(element, byte_order)? else { return Ok(()) };
+                variable.numbers(element, byte_order, |column, number| {
+                    for (_, slot) in wanted.iter().filter(|(wanted, _)| *wanted == column) {
+                        values[*slot].push(number);
+                    }
+                })
+            };
+            visit(&mut source, byte_order, place.at, &mut each)
+                .map_err(|error| in_words(&file, place.at, error))?;
+        }
+        let places = Places::Samples;
+        Table { format: Format::Mat, headings, chosen, values, places }.finite(&file)
+    }
+}
+
+fn in_words(file: &Path, at: u64, error: MatError) -> CommandError {
+    match error {
+        MatError::Read(source) => CommandError::Read { file: file.to_owned(), source },
+        MatError::Damaged(what) => in_file(file, &FormatError::DamagedMat { at, what }),
+    }
 }
 
 /// The order of bytes, from the header.
-fn ends(source: &mut impl Read) -> Result<Ends, MatError> {
+fn byte_order(source: &mut impl Read) -> Result<ByteOrder, MatError> {
     let mut header = [0; 128];
     source.read_exact(&mut header)?;
     match &header[124..] {
-        [0, 1, b'I', b'M'] => Ok(Ends::Little),
-        [1, 0, b'M', b'I'] => Ok(Ends::Big),
+        [0, 1, b'I', b'M'] => Ok(ByteOrder::Little),
+        [1, 0, b'M', b'I'] => Ok(ByteOrder::Big),
         _ => Err(MatError::Damaged("its header says no version that is known")),
     }
 }
@@ -125,19 +137,19 @@ fn ends(source: &mut impl Read) -> Result<Ends, MatError> {
 /// Has the matrix that starts at `at` read, unpacked; `None` if something else starts there. Also says where the next element starts.
 fn visit<T>(
     source: &mut (impl Read + Seek),
-    ends: Ends,
+    byte_order: ByteOrder,
     at: u64,
     each: &mut dyn FnMut(&mut dyn Read) -> Result<T, MatError>,
 ) -> Result<(Option<T>, u64), MatError> {
     source.seek(SeekFrom::Start(at))?;
-    let tag = Tag::read(source, ends)?;
+    let tag = Tag::read(source, byte_order)?;
     let next = at + 8 + u64::from(tag.size);
     let mut element = source.take(u64::from(tag.size));
     let found = match tag.kind {
         MATRIX => Some(each(&mut element)?),
         COMPRESSED => {
             let mut unpacked = ZlibDecoder::new(element);
-            let inner = Tag::read(&mut unpacked, ends)?;
+            let inner = Tag::read(&mut unpacked, byte_order)?;
             if inner.kind == MATRIX {
                 Some(each(&mut unpacked.take(u64::from(inner.size)))?)
             } else {

@@ -8,18 +8,16 @@
 mod header;
 
 use std::io::{ErrorKind, Read, Seek};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::binary::{Ends, Number, Order, Placement, Width};
-use super::format::Format;
+use super::binary::{ByteOrder, Layout, Number, Placement, Width};
+use super::format::{Format, NPY_MAGIC};
 use super::format_error::FormatError;
 use super::progress::Bar;
-use super::table::{Choose, Heading, Places, Table};
+use super::table::{Chosen, Heading, Opened, Places, Table};
 use crate::CommandError;
+use crate::error::in_file;
 use header::Header;
-
-/// What every NPY file starts with.
-pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Three entries of a plain array take about a hundred bytes, padding included; numpy itself reads 10 000.
 const LONGEST_HEADER: u64 = 1 << 16;
@@ -50,28 +48,52 @@ impl NpyError {
     pub(crate) fn of_file(self, file: &Path) -> CommandError {
         match self {
             Self::Read(source) => CommandError::Read { file: file.to_owned(), source },
-            Self::Format(error) => super::in_file(file, &error),
+            Self::Format(error) => in_file(file, &error),
         }
     }
 }
 
-/// Reads the chosen channels of an array of samples x channels, which are called by their index, or of a single channel.
-pub(crate) fn read(
+/// An array whose header has been read.
+pub(crate) struct OpenedNpy<R> {
+    file: PathBuf,
+    source: R,
+    placement: Placement,
+    headings: Vec<Heading>,
+    bar: Bar,
+}
+
+/// Opens an array of samples x channels, which are called by their index, or of a single channel.
+pub(crate) fn open<R: Read + Seek>(
     file: &Path,
-    mut source: impl Read + Seek,
+    mut source: R,
     length: u64,
-    choose: &mut Choose<'_>,
-    bar: &Bar,
-) -> Result<Table, CommandError> {
+    bar: Bar,
+) -> Result<OpenedNpy<R>, CommandError> {
     let placement = any_placement(&mut source, length).map_err(|error| error.of_file(file))?;
     let samples = usize::try_from(placement.samples()).ok();
     let heading = |index: u64| Heading { samples, ..Heading::named(index.to_string()) };
-    let headings: Vec<Heading> = (0..placement.channels()).map(heading).collect();
-    let chosen = choose(Format::Npy, &headings)?.channels;
-    let fault = |source| CommandError::Read { file: file.to_owned(), source };
-    let values = placement.read(&mut source, &chosen, |bytes| bar.advance(bytes)).map_err(fault)?;
-    let table = Table { format: Format::Npy, headings, chosen, values, places: Places::Samples };
-    super::finite(file, table)
+    let headings = (0..placement.channels()).map(heading).collect();
+    Ok(OpenedNpy { file: file.to_owned(), source, placement, headings, bar })
+}
+
+impl<R: Read + Seek> Opened for OpenedNpy<R> {
+    fn format(&self) -> Format {
+        Format::Npy
+    }
+
+    fn headings(&self) -> &[Heading] {
+        &self.headings
+    }
+
+    fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
+        let Self { file, mut source, placement, headings, bar } = *self;
+        let chosen = chosen.channels;
+        let values = placement
+            .read(&mut source, &chosen, |bytes| bar.advance(bytes))
+            .map_err(|source| CommandError::Read { file: file.clone(), source })?;
+        let places = Places::Samples;
+        Table { format: Format::Npy, headings, chosen, values, places }.finite(&file)
+    }
 }
 
 /// Reads the header of a file of `length` bytes that holds an array of samples x channels.
@@ -92,7 +114,7 @@ pub(super) fn any_placement(source: &mut impl Read, length: u64) -> Result<Place
 struct Array {
     offset: u64,
     shape: Vec<u64>,
-    order: Order,
+    layout: Layout,
     number: Number,
     /// Bytes of the whole file.
     length: u64,
@@ -102,7 +124,7 @@ impl Array {
     fn placement(self) -> Result<Placement, NpyError> {
         let shape =
             <[u64; 2]>::try_from(self.shape).map_err(|found| FormatError::Dimensions { found })?;
-        Ok(Placement::new(self.offset, shape, self.order, self.number, self.length)?)
+        Ok(Placement::new(self.offset, shape, self.layout, self.number, self.length)?)
     }
 }
 
@@ -112,8 +134,8 @@ fn header(source: &mut impl Read, length: u64) -> Result<Array, NpyError> {
         return Err(FormatError::Empty.into());
     }
     let mut magic = Vec::new();
-    source.by_ref().take(MAGIC.len() as u64).read_to_end(&mut magic)?;
-    if magic != MAGIC {
+    source.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut magic)?;
+    if magic != NPY_MAGIC {
         return Err(FormatError::NotNpy.into());
     }
     let mut version = [0; 2];
@@ -143,24 +165,18 @@ fn header(source: &mut impl Read, length: u64) -> Result<Array, NpyError> {
         String::from_utf8(text).map_err(|_| FormatError::BadHeader { what: "it is not text" })?;
     let header = Header::parse(&text)?;
     let number = number(&header.descr)?;
-    Ok(Array { offset: start + size, shape: header.shape, order: header.order, number, length })
+    Ok(Array { offset: start + size, shape: header.shape, layout: header.layout, number, length })
 }
 
 fn number(descr: &str) -> Result<Number, FormatError> {
-    let (width, ends) = match descr {
-        "<f8" => (Width::Eight, Ends::Little),
-        ">f8" => (Width::Eight, Ends::Big),
-        "<f4" => (Width::Four, Ends::Little),
-        ">f4" => (Width::Four, Ends::Big),
+    let (width, byte_order) = match descr {
+        "<f8" => (Width::Eight, ByteOrder::Little),
+        ">f8" => (Width::Eight, ByteOrder::Big),
+        "<f4" => (Width::Four, ByteOrder::Little),
+        ">f4" => (Width::Four, ByteOrder::Big),
         _ => return Err(FormatError::Numbers { descr: descr.chars().take(20).collect() }),
     };
-    Ok(Number { width, ends })
-}
-
-impl Order {
-    fn of(fortran_order: bool) -> Self {
-        if fortran_order { Self::ChannelByChannel } else { Self::SampleBySample }
-    }
+    Ok(Number { width, byte_order })
 }
 
 #[cfg(test)]

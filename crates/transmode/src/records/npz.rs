@@ -5,7 +5,7 @@
 //! asked for.
 
 use std::io::{Cursor, Read, Seek};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 use zip::result::ZipError;
@@ -14,9 +14,9 @@ use super::binary::Placement;
 use super::format::Format;
 use super::format_error::FormatError;
 use super::npy::{self, NpyError};
-use super::table::{Choose, Heading, Places, Table};
-use super::{finite, in_file};
+use super::table::{Chosen, Heading, Opened, Places, Table};
 use crate::CommandError;
+use crate::error::in_file;
 
 /// One array of the archive.
 struct Member {
@@ -25,12 +25,18 @@ struct Member {
     placement: Result<Placement, FormatError>,
 }
 
-/// Reads the chosen channels.
-pub(crate) fn read(
-    file: &Path,
-    source: impl Read + Seek,
-    choose: &mut Choose<'_>,
-) -> Result<Table, CommandError> {
+/// An archive whose list of arrays has been read.
+pub(crate) struct OpenedNpz<R> {
+    file: PathBuf,
+    archive: ZipArchive<R>,
+    members: Vec<Member>,
+    headings: Vec<Heading>,
+    /// For each channel its member and its index there.
+    homes: Vec<(usize, usize)>,
+}
+
+/// Opens an archive and reads the header of each array in it.
+pub(crate) fn open<R: Read + Seek>(file: &Path, source: R) -> Result<OpenedNpz<R>, CommandError> {
     let fault = |error: &FormatError| in_file(file, error);
     let mut archive = ZipArchive::new(source).map_err(|error| fault(&damaged(&error)))?;
     let members = members(&mut archive).map_err(|error| fault(&error))?;
@@ -44,7 +50,6 @@ pub(crate) fn read(
             &FormatError::NoArrays
         }));
     }
-    // For each channel its member and its index there.
     let (mut headings, mut homes) = (Vec::new(), Vec::new());
     for (at, member) in members.iter().enumerate() {
         match &member.placement {
@@ -69,29 +74,46 @@ pub(crate) fn read(
             }
         }
     }
-    let chosen = choose(Format::Npz, &headings)?.channels;
-    let mut values = vec![Vec::new(); chosen.len()];
-    for (at, member) in members.iter().enumerate() {
-        let wanted: Vec<_> = chosen
-            .iter()
-            .map(|channel| homes[*channel])
-            .enumerate()
-            .filter(|(_, (home, _))| *home == at)
-            .collect();
-        let Ok(placement) = &member.placement else { continue };
-        if wanted.is_empty() {
-            continue;
-        }
-        let bytes = unpacked(&mut archive, member.index).map_err(|error| fault(&error))?;
-        let channels: Vec<_> = wanted.iter().map(|(_, (_, channel))| *channel).collect();
-        let read = placement.read(&mut Cursor::new(bytes), &channels, |_| ());
-        let read =
-            read.map_err(|error| fault(&FormatError::Archive { what: error.to_string() }))?;
-        for ((slot, _), column) in wanted.iter().zip(read) {
-            values[*slot] = column;
-        }
+    Ok(OpenedNpz { file: file.to_owned(), archive, members, headings, homes })
+}
+
+impl<R: Read + Seek> Opened for OpenedNpz<R> {
+    fn format(&self) -> Format {
+        Format::Npz
     }
-    finite(file, Table { format: Format::Npz, headings, chosen, values, places: Places::Samples })
+
+    fn headings(&self) -> &[Heading] {
+        &self.headings
+    }
+
+    fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
+        let Self { file, mut archive, members, headings, homes } = *self;
+        let fault = |error: &FormatError| in_file(&file, error);
+        let chosen = chosen.channels;
+        let mut values = vec![Vec::new(); chosen.len()];
+        for (at, member) in members.iter().enumerate() {
+            let wanted: Vec<_> = chosen
+                .iter()
+                .map(|channel| homes[*channel])
+                .enumerate()
+                .filter(|(_, (home, _))| *home == at)
+                .collect();
+            let Ok(placement) = &member.placement else { continue };
+            if wanted.is_empty() {
+                continue;
+            }
+            let bytes = unpacked(&mut archive, member.index).map_err(|error| fault(&error))?;
+            let channels: Vec<_> = wanted.iter().map(|(_, (_, channel))| *channel).collect();
+            let read = placement.read(&mut Cursor::new(bytes), &channels, |_| ());
+            let read =
+                read.map_err(|error| fault(&FormatError::Archive { what: error.to_string() }))?;
+            for ((slot, _), column) in wanted.iter().zip(read) {
+                values[*slot] = column;
+            }
+        }
+        let places = Places::Samples;
+        Table { format: Format::Npz, headings, chosen, values, places }.finite(&file)
+    }
 }
 
 /// The arrays in the order of the archive.

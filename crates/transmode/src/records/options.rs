@@ -3,7 +3,7 @@
 use std::num::NonZero;
 use std::path::PathBuf;
 
-use super::selection::{Selection, TimeSource};
+use super::selection::Selection;
 
 /// How files become records.
 #[derive(Clone, Debug)]
@@ -91,15 +91,6 @@ pub(crate) fn factor(text: &str) -> Result<NonZero<usize>, String> {
     text.trim()
         .parse()
         .map_err(|_| "a factor is a whole number, at least 1; 1 keeps all samples".to_owned())
-}
-
-/// The source of time that the options `--time` and `--sample-period` ask for.
-pub(crate) fn time_source(column: Option<&str>, period_s: Option<f64>) -> TimeSource {
-    match (column, period_s) {
-        (Some(column), _) => TimeSource::Column(column.trim().to_owned()),
-        (None, Some(period_s)) => TimeSource::Period(period_s),
-        (None, None) => TimeSource::Usual,
-    }
 }
 
 #[cfg(test)]

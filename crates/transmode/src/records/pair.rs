@@ -4,12 +4,13 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::format::Format;
+use super::open::open;
 use super::progress::Progress;
 use super::segments::segments;
-use super::selection::{Selected, Selection, TWICE, TimeSource};
-use super::source;
+use super::selection::{Selection, TWICE, TimeSource};
 use super::timing::{Times, scale};
-use crate::{CommandError, SelectionError};
+use crate::CommandError;
+use crate::error::SelectionError;
 
 /// Two sensors of one record, equally long; a NaN marks a gap.
 #[derive(Debug)]
@@ -32,20 +33,18 @@ pub(crate) fn load(
 ) -> Result<Pair, CommandError> {
     let time = time.map_or(TimeSource::UsualOrUnknown, |name| TimeSource::Column(name.to_owned()));
     let selection = Selection { outputs: vec![input.to_owned(), output.to_owned()], time };
-    let mut selected = Selected::default();
-    let mut choose = |format: Format, headings: &[_]| {
-        selected = selection.select(file, format, headings).map_err(|error| match error {
-            CommandError::Selection(SelectionError::BadOutputs { column, why: TWICE }) => {
-                CommandError::SameColumn { column }
-            }
-            CommandError::Selection(SelectionError::BadOutputs { column, .. }) => {
-                CommandError::TimeAsSensor { column }
-            }
-            other => other,
-        })?;
-        Ok(selected.chosen())
-    };
-    let mut table = source::read(file, &mut choose, progress)?;
+    let opened = open(file, progress)?;
+    let selected = selection.select(file, opened.format(), opened.headings());
+    let selected = selected.map_err(|error| match error {
+        CommandError::Selection(SelectionError::BadOutputs { column, why: TWICE }) => {
+            CommandError::SameColumn { column }
+        }
+        CommandError::Selection(SelectionError::BadOutputs { column, .. }) => {
+            CommandError::TimeAsSensor { column }
+        }
+        other => other,
+    })?;
+    let mut table = opened.read(selected.chosen())?;
     let factor = selected.time.map(|time| time.factor);
     let times = Times::take(file, &mut table, factor, &selection.time)?;
     for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {

@@ -2,7 +2,8 @@
 
 use std::io::Read;
 
-use super::binary::{Ends, Number, Order, Placement, Width};
+use super::binary::{ByteOrder, Layout, Number, Placement, Width};
+use super::format::NPY_MAGIC;
 use super::format_error::FormatError;
 use super::npy;
 
@@ -16,16 +17,16 @@ pub(crate) fn placement(
         return Err(FormatError::Empty.into());
     }
     let mut start = Vec::new();
-    source.by_ref().take(npy::MAGIC.len() as u64).read_to_end(&mut start)?;
-    if start == npy::MAGIC {
+    source.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
+    if start == NPY_MAGIC {
         return Err(FormatError::IsNpy.into());
     }
-    let number = Number { width: Width::Eight, ends: Ends::Little };
+    let number = Number { width: Width::Eight, byte_order: ByteOrder::Little };
     let row = channels.saturating_mul(u64::from(number.width.bytes()));
     if row == 0 || !length.is_multiple_of(row) {
         return Err(FormatError::RawLength { length, channels, row }.into());
     }
-    Ok(Placement::new(0, [length / row, channels], Order::SampleBySample, number, length)?)
+    Ok(Placement::new(0, [length / row, channels], Layout::SampleBySample, number, length)?)
 }
 
 #[cfg(test)]

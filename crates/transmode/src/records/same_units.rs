@@ -4,9 +4,9 @@ use std::path::Path;
 
 use reconstruct::Record;
 
-use super::loading::Source;
+use super::source::Source;
 use super::warning::LoadWarning;
-use crate::SelectionError;
+use crate::error::SelectionError;
 
 /// Refuses sensors that the first file has in other units, and warns where one of two files alone says what they are.
 pub(super) fn check(

@@ -93,7 +93,6 @@ pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
     }
     // The mean step is the better estimate once no step is at fault. It is a decimal number where the stamps are,
     // so that records of different length have the same period.
-    #[expect(clippy::cast_precision_loss, reason = "a count of steps is far below 2^53")]
     let (count, last) =
         (count as f64, time_s.iter().fold(0.0_f64, |last, time| last.max(time.abs())));
     // Stamps are as close as numbers of their size can be.
@@ -137,6 +136,17 @@ fn usual_step(time_s: &[f64]) -> Option<f64> {
 pub(crate) fn is_same_period(first_s: f64, second_s: f64) -> bool {
     const TOLERANCE: f64 = 1e-6;
     (first_s - second_s).abs() <= TOLERANCE * second_s
+}
+
+/// Refuses a sample period that is not that of `what`.
+pub(crate) fn check_same_period(found_s: f64, expected_s: f64, what: &str) -> Result<(), String> {
+    if is_same_period(found_s, expected_s) {
+        Ok(())
+    } else {
+        Err(format!(
+            "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them"
+        ))
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@ use std::path::Path;
 use super::format::Format;
 use super::table::{Chosen, Heading};
 use super::unit::Unit;
-use crate::{CommandError, SelectionError, TimeError};
+use crate::CommandError;
+use crate::error::{SelectionError, TimeError};
 
 /// What is wrong with a column that was asked for two times.
 pub(super) const TWICE: &str = "twice; name it once";
@@ -36,7 +37,7 @@ pub(crate) enum TimeSource {
 }
 
 /// The columns found, by their index in the file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Selected {
     pub(crate) time: Option<Wanted>,
     pub(crate) sensors: Vec<Wanted>,

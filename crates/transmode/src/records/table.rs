@@ -1,5 +1,7 @@
 //! A file as a table of named channels, whatever its format.
 
+use std::path::Path;
+
 use crate::CommandError;
 use crate::records::format::Format;
 
@@ -38,8 +40,16 @@ pub(crate) struct Chosen {
     pub(crate) with_time: bool,
 }
 
-/// Chooses channels by their headings.
-pub(crate) type Choose<'a> = dyn FnMut(Format, &[Heading]) -> Result<Chosen, CommandError> + 'a;
+/// A file of which the headings have been read, and no numbers yet.
+pub(crate) trait Opened {
+    fn format(&self) -> Format;
+
+    /// Of all channels of the file.
+    fn headings(&self) -> &[Heading];
+
+    /// Reads the numbers of the chosen channels, and no others.
+    fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError>;
+}
 
 /// What a message calls a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,6 +80,21 @@ impl Heading {
 impl Table {
     pub(crate) fn rows(&self) -> usize {
         self.values.first().map_or(0, Vec::len)
+    }
+
+    /// Refuses infinite numbers in an array.
+    pub(crate) fn finite(self, file: &Path) -> Result<Self, CommandError> {
+        for (column, values) in self.values.iter().enumerate() {
+            if let Some(sample) = values.iter().position(|value| value.is_infinite()) {
+                return Err(CommandError::InfiniteSample {
+                    file: file.to_owned(),
+                    sample: sample as u64,
+                    column: self.heading(column).name.clone(),
+                    value: values[sample],
+                });
+            }
+        }
+        Ok(self)
     }
 
     /// The heading of the chosen channel `column`.

@@ -8,6 +8,7 @@
 //! Memory: the numbers of the chosen columns, and the longest row. Everything else is forgotten line by line.
 
 mod clock;
+mod columns;
 mod dialect;
 mod header;
 mod lines;
@@ -19,9 +20,10 @@ use std::path::{Path, PathBuf};
 
 use super::format::Format;
 use super::format_error::FormatError;
-use super::table::{Choose, Chosen, Heading, Places, RowLines, Table};
-use crate::{CommandError, TableError};
-use clock::Clock;
+use super::table::{Chosen, Heading, Opened, Places, Table};
+use crate::CommandError;
+use crate::error::{TableError, in_file};
+use columns::Columns;
 pub(crate) use header::heading;
 use lines::{LONGEST_ROW, LineError, Lines, Row};
 
@@ -31,79 +33,47 @@ const MOST_COLUMNS: usize = 10_000;
 /// How much of a comment is kept in case it is a header.
 const LONGEST_COMMENT: usize = 1 << 16;
 
-/// Reads a whole text. `file` is for messages only.
-pub(crate) fn read(
+/// A text of which the header has been read, and the units below it.
+pub(crate) struct OpenedText<R> {
+    reader: Reader<R>,
+    top: Top,
+}
+
+/// Opens a text and reads its header. `file` is for messages only.
+pub(crate) fn open<R: Read>(
     file: &Path,
     format: Format,
-    source: impl Read,
-    choose: &mut Choose<'_>,
-) -> Result<Table, CommandError> {
-    let reader =
+    source: R,
+) -> Result<OpenedText<R>, CommandError> {
+    let mut reader =
         Reader { file: file.to_owned(), format, lines: Lines::new(source), separator: b',' };
-    reader.read(choose)
+    reader.check_start()?;
+    let top = reader.top()?;
+    Ok(OpenedText { reader, top })
 }
 
-#[derive(Debug)]
-struct Reader<R> {
-    file: PathBuf,
-    format: Format,
-    lines: Lines<R>,
-    separator: u8,
-}
+impl<R: Read> Opened for OpenedText<R> {
+    fn format(&self) -> Format {
+        self.reader.format
+    }
 
-/// Which columns to read, and what of them has been read.
-struct Columns<'a> {
-    headings: &'a [Heading],
-    /// For each column of the file, its place among the chosen ones.
-    slots: Vec<Option<usize>>,
-    values: Vec<Vec<f64>>,
-    lines: RowLines,
-    /// The decimal mark of the numbers so far.
-    mark: Option<u8>,
-    /// The column of time, which may hold what a clock shows.
-    time: Option<usize>,
-    clock: Clock,
-    /// Whether it has held a number, so that no clock's time may follow.
-    time_is_number: bool,
-}
+    fn headings(&self) -> &[Heading] {
+        &self.top.headings
+    }
 
-/// The top of a table.
-struct Top {
-    headings: Vec<Heading>,
-    /// The first row of numbers, if it has been taken already.
-    first: Option<(u64, Vec<String>)>,
-}
-
-impl<R: Read> Reader<R> {
-    fn read(mut self, choose: &mut Choose<'_>) -> Result<Table, CommandError> {
-        self.check_start()?;
-        let top = self.top()?;
-        let headings = top.headings;
-        let Chosen { channels: chosen, with_time } = choose(self.format, &headings)?;
-        let mut slots = vec![None; headings.len()];
-        chosen.iter().enumerate().for_each(|(place, column)| slots[*column] = Some(place));
-        let values = vec![Vec::new(); chosen.len()];
-        let mut columns = Columns {
-            headings: &headings,
-            slots,
-            values,
-            lines: RowLines::default(),
-            mark: None,
-            time: if with_time { chosen.last().copied() } else { None },
-            clock: Clock::default(),
-            time_is_number: false,
-        };
-        if let Some((line, texts)) = &top.first {
-            let count = texts.len();
-            self.check_length(*line, count, headings.len())?;
+    fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
+        let Self { reader: Reader { file, format, mut lines, separator }, top } = *self;
+        let Top { headings, first } = top;
+        let mut columns = Columns::new(&headings, &chosen);
+        if let Some((line, texts)) = &first {
+            check_length(&file, separator, *line, texts.len(), headings.len())?;
             for (index, text) in texts.iter().enumerate() {
                 columns
-                    .push(index, text.as_bytes(), self.separator)
-                    .map_err(|fault| fault.at(&self.file, *line))?;
+                    .push(index, text.as_bytes(), separator)
+                    .map_err(|fault| fault.at(&file, *line))?;
             }
             columns.lines.push(*line);
         }
-        let Self { file, format, mut lines, separator } = self;
         while let Some(row) = lines.next().map_err(|error| translate(&file, format, error))? {
             if is_nothing(row.bytes, separator) || dialect::is_comment(row.bytes) {
                 continue;
@@ -126,9 +96,27 @@ impl<R: Read> Reader<R> {
         if values.first().is_none_or(Vec::is_empty) {
             return Err(TableError::Empty { file }.into());
         }
-        Ok(Table { format, headings, chosen, values, places: Places::Lines(lines) })
+        let places = Places::Lines(lines);
+        Ok(Table { format, headings, chosen: chosen.channels, values, places })
     }
+}
 
+#[derive(Debug)]
+struct Reader<R> {
+    file: PathBuf,
+    format: Format,
+    lines: Lines<R>,
+    separator: u8,
+}
+
+/// The top of a table.
+struct Top {
+    headings: Vec<Heading>,
+    /// The first row of numbers, if it has been taken already.
+    first: Option<(u64, Vec<String>)>,
+}
+
+impl<R: Read> Reader<R> {
     /// Refuses what is no text in UTF-8 before it is searched for rows.
     fn check_start(&mut self) -> Result<(), CommandError> {
         let start = self.lines.peek().map_err(LineError::Read);
@@ -139,7 +127,7 @@ impl<R: Read> Reader<R> {
             memchr::memchr(0, start).map(|at| FormatError::Binary { at })
         };
         if let Some(fault) = fault {
-            return Err(super::in_file(&self.file, &fault));
+            return Err(in_file(&self.file, &fault));
         }
         self.lines.skip_mark();
         Ok(())
@@ -225,17 +213,13 @@ impl<R: Read> Reader<R> {
             let Some(units) = header::units(&texts) else {
                 return Ok(Top { headings, first: Some((line, texts)) });
             };
-            self.check_length(line, units.len(), headings.len())?;
+            check_length(&self.file, self.separator, line, units.len(), headings.len())?;
             for (heading, unit) in headings.iter_mut().zip(units) {
                 heading.unit = unit.or(heading.unit.take());
             }
             break;
         }
         Ok(Top { headings, first: None })
-    }
-
-    fn check_length(&self, line: u64, found: usize, expected: usize) -> Result<(), CommandError> {
-        check_length(&self.file, self.separator, line, found, expected)
     }
 }
 
@@ -273,83 +257,6 @@ fn check_length(
     Err(TableError::Ragged { file, line, found, expected, separator }.into())
 }
 
-/// What is wrong with one field.
-struct Fault {
-    column: String,
-    text: String,
-    kind: FaultKind,
-}
-
-enum FaultKind {
-    NotText,
-    NotANumber,
-    NotATime,
-    ClockWithUnit,
-    /// The decimal comma comes late, or the point.
-    Mixed {
-        comma: bool,
-    },
-}
-
-impl Columns<'_> {
-    /// One more field of column `index`, if it was chosen.
-    fn push(&mut self, index: usize, field: &[u8], separator: u8) -> Result<(), Fault> {
-        // A row that is too long is refused when its fields have been counted.
-        let Some(Some(slot)) = self.slots.get(index) else { return Ok(()) };
-        let fault = |kind| {
-            let text = shortened(&String::from_utf8_lossy(field));
-            Fault { column: self.headings[index].name.clone(), text, kind }
-        };
-        let is_time = self.time == Some(index) && !field.is_empty();
-        if is_time && !self.time_is_number {
-            match self.clock.seconds(field) {
-                Some(_) if self.headings[index].unit.is_some() => {
-                    return Err(fault(FaultKind::ClockWithUnit));
-                }
-                Some(seconds) => {
-                    self.values[*slot].push(seconds);
-                    return Ok(());
-                }
-                None if self.clock.is_read() || field.contains(&b':') => {
-                    return Err(fault(FaultKind::NotATime));
-                }
-                None => {}
-            }
-        }
-        let number = dialect::number(field, separator).filter(|number| !number.value.is_infinite());
-        let Some(number) = number else {
-            let is_text = std::str::from_utf8(field).is_ok();
-            return Err(fault(if is_text { FaultKind::NotANumber } else { FaultKind::NotText }));
-        };
-        if number.mark.is_some() && number.mark != self.mark {
-            if self.mark.is_some() {
-                return Err(fault(FaultKind::Mixed { comma: number.mark == Some(b',') }));
-            }
-            self.mark = number.mark;
-        }
-        self.time_is_number |= is_time && !number.value.is_nan();
-        self.values[*slot].push(number.value);
-        Ok(())
-    }
-}
-
-impl Fault {
-    fn at(self, file: &Path, line: u64) -> CommandError {
-        let Self { column, text, kind } = self;
-        let file = file.to_owned();
-        match kind {
-            FaultKind::NotText => TableError::NotText { file, line },
-            FaultKind::NotANumber => TableError::NotANumber { file, line, column, text },
-            FaultKind::NotATime => TableError::NotATime { file, line, column, text },
-            FaultKind::ClockWithUnit => TableError::ClockWithUnit { file, line, column, text },
-            FaultKind::Mixed { comma } => {
-                TableError::MixedMarks { file, line, column, text, comma }
-            }
-        }
-        .into()
-    }
-}
-
 fn translate(file: &Path, format: Format, error: LineError) -> CommandError {
     let file = file.to_owned();
     match error {
@@ -360,15 +267,6 @@ fn translate(file: &Path, format: Format, error: LineError) -> CommandError {
         LineError::Long { line } => TableError::LongLine { file, line, limit: LONGEST_ROW }.into(),
         LineError::OpenQuote { line } => TableError::OpenQuote { file, line }.into(),
     }
-}
-
-/// Enough of a field to recognise it, in case the file is one endless line.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 40;
-    if text.chars().count() <= LONGEST {
-        return text.to_owned();
-    }
-    text.chars().take(LONGEST).chain("...".chars()).collect()
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@ use std::path::Path;
 use super::sampling::{self, Even, Fault, Sampling};
 use super::selection::TimeSource;
 use super::table::Table;
-use crate::numbers::number;
-use crate::{CommandError, Others, TimeError};
+use crate::CommandError;
+use crate::error::{Others, TimeError};
 
 /// Where in time the samples of a file are.
 #[derive(Clone, Debug)]
@@ -47,7 +47,7 @@ impl Times {
     pub(crate) fn at(&self, row: usize) -> f64 {
         match self {
             Self::Stamps { stamps_s, .. } => stamps_s[row],
-            Self::Even { period_s, .. } => number(row) * period_s,
+            Self::Even { period_s, .. } => row as f64 * period_s,
         }
     }
 
@@ -75,7 +75,7 @@ impl Times {
             return false;
         };
         let [first_s, last_s] = [0, last].map(|row| self.at(row));
-        let step_s = (last_s - first_s) / number(last);
+        let step_s = (last_s - first_s) / last as f64;
         start_s.is_some_and(|start| start < first_s - step_s)
             || end_s.is_some_and(|end| end > last_s + step_s)
     }

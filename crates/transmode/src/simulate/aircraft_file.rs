@@ -10,7 +10,7 @@ use crate::CommandError;
 
 /// An aircraft and where its numbers come from.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(super) struct ChosenAircraft {
     pub(super) name: String,
     pub(super) source: String,
     pub(super) model: LateralModel,
@@ -75,12 +75,12 @@ struct InertiaFields {
 /// The aircraft of that name in the catalog, or the one that the file of that name describes.
 ///
 /// The side force of the rudder is scaled as the source of the numbers has it: as printed for the paper's aircraft, over the speed for a file.
-pub(super) fn find(text: &str) -> Result<Found, CommandError> {
+pub(super) fn find(text: &str) -> Result<ChosenAircraft, CommandError> {
     if let Some(entry) = catalog::find(text) {
         let model = LateralModel::new(entry.derivatives, entry.inertia)
             .map_err(|error| SimulateError::computation(&error))?;
         let (name, source) = (entry.name.to_owned(), entry.source.to_owned());
-        return Ok(Found { name, source, model, scaling: scaling_of(entry) });
+        return Ok(ChosenAircraft { name, source, model, scaling: scaling_of(entry) });
     }
     let file = Path::new(text);
     if !file.exists() {
@@ -95,7 +95,12 @@ pub(super) fn find(text: &str) -> Result<Found, CommandError> {
     let model = LateralModel::new(described.derivatives, described.inertia)
         .map_err(|error| bad(error.to_string()))?;
     let source = described.source.unwrap_or_else(|| text.to_owned());
-    Ok(Found { name: described.name, source, model, scaling: SideForceScaling::Dimensional })
+    Ok(ChosenAircraft {
+        name: described.name,
+        source,
+        model,
+        scaling: SideForceScaling::Dimensional,
+    })
 }
 
 /// The paper prints `Y_dr` undivided, and its records are those of that system.

@@ -7,10 +7,10 @@ use flight::{
 use lti::{Continuous, Discrete, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 
-use super::aircraft_file::Found;
+use super::aircraft_file::ChosenAircraft;
 use super::{Noise, Sensor, SimulateError};
 use crate::args::{ExcitationKind, SimulateArgs, SurfaceChoice};
-use crate::numbers::{number, whole};
+use crate::numbers::whole;
 
 /// The shortest record and the longest: a file of ten million samples has half a gigabyte.
 const SAMPLES: std::ops::RangeInclusive<usize> = 2..=10_000_000;
@@ -30,7 +30,7 @@ const DOUBLET_S: f64 = 1.0;
 /// Everything that is known before the first sample.
 #[derive(Debug)]
 pub(super) struct Simulator<'a> {
-    pub(super) aircraft: &'a Found,
+    pub(super) aircraft: &'a ChosenAircraft,
     pub(super) args: &'a SimulateArgs,
     pub(super) period: SamplePeriod,
     samples: usize,
@@ -77,7 +77,10 @@ pub(super) fn plans(args: &SimulateArgs) -> Vec<Plan> {
 
 impl<'a> Simulator<'a> {
     /// Checks what was asked for, and samples the aircraft.
-    pub(super) fn new(aircraft: &'a Found, args: &'a SimulateArgs) -> Result<Self, SimulateError> {
+    pub(super) fn new(
+        aircraft: &'a ChosenAircraft,
+        args: &'a SimulateArgs,
+    ) -> Result<Self, SimulateError> {
         check(args)?;
         let fault = |error: &dyn std::error::Error| SimulateError::computation(error);
         let period = SamplePeriod::new(args.sample_period).map_err(|error| fault(&error))?;
@@ -248,7 +251,7 @@ impl<'a> Simulator<'a> {
                 }
                 let mean = |sensor: usize| {
                     let deviations = moved.iter().map(|y| y.row(sensor).variance().sqrt());
-                    deviations.sum::<f64>() / number(moved.len())
+                    deviations.sum::<f64>() / moved.len() as f64
                 };
                 Ok((0..sensors.len()).map(|sensor| mean(sensor) / ratio).collect())
             }
@@ -301,7 +304,7 @@ fn samples(args: &SimulateArgs) -> Result<usize, SimulateError> {
 
 /// Seconds between two steps of the simulation of what is not held.
 fn substep(period: SamplePeriod) -> f64 {
-    period.seconds() / number(flight::SUBSTEPS)
+    period.seconds() / flight::SUBSTEPS as f64
 }
 
 /// Standard deviation of white noise of unit variance behind the low-pass filter: the power that its band lets through.

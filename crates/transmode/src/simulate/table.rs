@@ -5,7 +5,7 @@ use std::io::Write;
 use nalgebra::DMatrix;
 
 use super::flights::Simulator;
-use crate::numbers::{number, rounded, without_rounding};
+use crate::numbers::{rounded, without_rounding};
 
 /// Significant digits of readings with noise: it hides the others.
 const DIGITS_WITH_NOISE: usize = 9;
@@ -19,7 +19,7 @@ pub(super) fn render(simulator: &Simulator<'_>, readings: &DMatrix<f64>) -> Vec<
     }
     let noisy = simulator.args.noise != super::Noise::Absent;
     for (k, column) in readings.column_iter().enumerate() {
-        let _ = write!(text, "\n{}", without_rounding(number(k) * simulator.period.seconds()));
+        let _ = write!(text, "\n{}", without_rounding(k as f64 * simulator.period.seconds()));
         for value in column.iter() {
             let value = if noisy { rounded(*value, DIGITS_WITH_NOISE) } else { *value };
             let _ = write!(text, ",{value}");

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::flights::{Flown, GUST_RAD_S, LOW_PASS_RAD_S, Simulator, plans};
 use crate::CommandError;
 use crate::args::ExcitationKind;
+use crate::json::{self, Number};
 
 #[derive(Serialize)]
 struct Truth<'a> {
@@ -42,12 +43,6 @@ struct Aircraft<'a> {
 struct ModeOutput {
     name: String,
     eigenvalue: Number,
-}
-
-#[derive(Serialize)]
-struct Number {
-    re: f64,
-    im: f64,
 }
 
 #[derive(Serialize)]
@@ -85,7 +80,7 @@ pub(super) fn render(simulator: &Simulator<'_>, flown: &Flown) -> Result<Vec<u8>
             .iter()
             .map(|mode| ModeOutput {
                 name: mode.name.to_string(),
-                eigenvalue: Number { re: mode.eigenvalue.re, im: mode.eigenvalue.im },
+                eigenvalue: mode.eigenvalue.into(),
             })
             .collect(),
         states: ["beta", "p", "r", "phi"],
@@ -118,10 +113,7 @@ pub(super) fn render(simulator: &Simulator<'_>, flown: &Flown) -> Result<Vec<u8>
             })
             .collect(),
     };
-    let mut text = serde_json::to_vec_pretty(&truth)
-        .map_err(|error| CommandError::Write { file: "-".into(), source: error.into() })?;
-    text.push(b'\n');
-    Ok(text)
+    json::text(&truth)
 }
 
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {

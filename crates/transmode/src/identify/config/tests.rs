@@ -25,13 +25,13 @@ fn the_command_line_wins() {
     let found = completed(text, &[]).unwrap();
     assert_eq!(found.noise, [1e-3, 2.0, 0.5]);
     assert_eq!(found.trend, Some(true));
-    assert_eq!(found.files.time.as_deref(), Some("clock"));
+    assert_eq!(found.files.time.column.as_deref(), Some("clock"));
     let words = ["--order", "auto", "--noise-record", "q.csv", "--sample-period", "0.1"];
     let found = completed(text, &[&words[..], &["--trend=false"]].concat()).unwrap();
     assert_eq!(found.method().word(), "subspace");
     assert_eq!(found.order, Some(crate::args::values::OrderAsked::Auto));
     assert!(found.noise.is_empty());
-    assert_eq!((found.files.time, found.files.sample_period), (None, Some(0.1)));
+    assert_eq!((found.files.time.column, found.files.time.sample_period), (None, Some(0.1)));
     assert_eq!(found.trend, Some(false));
 }
 

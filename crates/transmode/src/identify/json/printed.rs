@@ -4,7 +4,7 @@ use num_complex::Complex;
 use reconstruct::{AsPrinted, Identification};
 use serde::Serialize;
 
-use super::Number;
+use crate::json::Number;
 
 /// How one transmissibility was identified.
 #[derive(Serialize)]

@@ -4,8 +4,7 @@ use reconstruct::Hold;
 use report::format_significant;
 
 use crate::identify::outcome::Outcome;
-use crate::modes::Found;
-use crate::orders;
+use crate::modes::IdentifiedMode;
 
 /// How many other orders are named.
 const NAMED: usize = 4;
@@ -37,7 +36,7 @@ fn order(outcome: &Outcome<'_>) -> Option<String> {
         .take(NAMED)
         .map(|(other, gap)| format!("{} for {other}", format_significant(*gap, 2)))
         .collect();
-    let mut ratios = orders::ratios(&outcome.result.compared_orders);
+    let mut ratios = outcome.likelihood_ratios();
     if !ratios.is_empty() {
         ratios.insert_str(0, ", and ");
     }
@@ -71,7 +70,7 @@ fn noise(outcome: &Outcome<'_>) -> Option<String> {
 
 /// The intervals of real modes, which need not be symmetric.
 fn intervals(outcome: &Outcome<'_>) -> Option<String> {
-    let of = |found: &Found| {
+    let of = |found: &IdentifiedMode| {
         let [low, high] = found.mode.interval_95?;
         let end = |value: f64| format_significant(value, 4);
         Some(match (low.is_finite(), high.is_finite()) {
@@ -103,7 +102,7 @@ fn hold(outcome: &Outcome<'_>) -> Option<String> {
 }
 
 fn band(outcome: &Outcome<'_>) -> Option<String> {
-    let band = outcome.band?;
+    let band = outcome.options.band?;
     Some(format!(
         "band: {} to {} rad/s",
         format_significant(band.lowest_rad_s, 4),

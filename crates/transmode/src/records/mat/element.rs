@@ -1,14 +1,27 @@
 //! The elements of a MATLAB file: a tag with type and size, then the bytes, padded to a multiple of eight.
 
-use std::io::Read;
+use std::io::{Error, ErrorKind, Read};
 
-use super::MatError;
+use crate::records::binary::ByteOrder;
 
-/// Which end of a number comes first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ends {
-    Little,
-    Big,
+/// Why a file was not read.
+#[derive(Debug)]
+pub(super) enum MatError {
+    Read(Error),
+    Damaged(&'static str),
+}
+
+impl From<Error> for MatError {
+    fn from(error: Error) -> Self {
+        match error.kind() {
+            ErrorKind::UnexpectedEof => Self::Damaged("it ends there"),
+            // What the decompressor says.
+            ErrorKind::InvalidData | ErrorKind::InvalidInput => {
+                Self::Damaged("what is compressed is garbled")
+            }
+            _ => Self::Read(error),
+        }
+    }
 }
 
 /// What an element is and how long.
@@ -32,24 +45,18 @@ pub(super) struct Variable {
 /// Longer names and more dimensions than this are damage: MATLAB allows 63 letters.
 const LONGEST: u32 = 4096;
 
-impl Ends {
-    fn u32(self, bytes: [u8; 4]) -> u32 {
-        match self {
-            Self::Little => u32::from_le_bytes(bytes),
-            Self::Big => u32::from_be_bytes(bytes),
-        }
-    }
-}
-
 impl Tag {
-    pub(super) fn read(source: &mut (impl Read + ?Sized), ends: Ends) -> Result<Self, MatError> {
+    pub(super) fn read(
+        source: &mut (impl Read + ?Sized),
+        byte_order: ByteOrder,
+    ) -> Result<Self, MatError> {
         let (mut first, mut second) = ([0; 4], [0; 4]);
         source.read_exact(&mut first)?;
         source.read_exact(&mut second)?;
-        let word = ends.u32(first);
+        let word = byte_order.u32(first);
         // A short element has its size in the upper half of the first word, and its bytes in the second.
         match word >> 16 {
-            0 => Ok(Self { kind: word, size: ends.u32(second), short: None }),
+            0 => Ok(Self { kind: word, size: byte_order.u32(second), short: None }),
             size @ 1..=4 => Ok(Self { kind: word & 0xffff, size, short: Some(second) }),
             _ => Err(MatError::Damaged("a tag has no type that is known")),
         }
@@ -72,24 +79,27 @@ impl Tag {
 
 impl Variable {
     /// Reads the first parts of a matrix: flags, dimensions, name. `None` for one without them, as MATLAB writes for its own use.
-    pub(super) fn read(source: &mut dyn Read, ends: Ends) -> Result<Option<Self>, MatError> {
-        let flags = Tag::read(source, ends)?;
+    pub(super) fn read(
+        source: &mut dyn Read,
+        byte_order: ByteOrder,
+    ) -> Result<Option<Self>, MatError> {
+        let flags = Tag::read(source, byte_order)?;
         let bytes = flags.bytes(source)?;
         let Some(first) = bytes.first_chunk::<4>().filter(|_| flags.kind == 6) else {
             return Err(MatError::Damaged("a variable does not start with its flags"));
         };
-        let flags = ends.u32(*first);
+        let flags = byte_order.u32(*first);
         let class = flags & 0xff;
         // Objects have a layout of their own, without dimensions.
         if class == 17 {
-            let name = Tag::read(source, ends)?.bytes(source)?;
+            let name = Tag::read(source, byte_order)?.bytes(source)?;
             let name = String::from_utf8_lossy(&name).into_owned();
             return Ok(Some(Self { name, class, complex: false, dimensions: Vec::new() }));
         }
-        let bytes = Tag::read(source, ends)?.bytes(source)?;
-        let size = |bytes: &[u8; 4]| u64::from(ends.u32(*bytes));
+        let bytes = Tag::read(source, byte_order)?.bytes(source)?;
+        let size = |bytes: &[u8; 4]| u64::from(byte_order.u32(*bytes));
         let dimensions = bytes.as_chunks::<4>().0.iter().map(size).collect();
-        let name = Tag::read(source, ends)?.bytes(source)?;
+        let name = Tag::read(source, byte_order)?.bytes(source)?;
         let name = String::from_utf8_lossy(&name).into_owned();
         if name.is_empty() {
             return Ok(None);
@@ -135,13 +145,13 @@ impl Variable {
     pub(super) fn numbers(
         &self,
         source: &mut dyn Read,
-        ends: Ends,
+        byte_order: ByteOrder,
         mut each: impl FnMut(usize, f64),
     ) -> Result<(), MatError> {
         let [rows, columns] =
             self.shape().map_err(|_| MatError::Damaged("a variable changed while it was read"))?;
-        let tag = Tag::read(source, ends)?;
-        let (width, decode) = decoder(tag.kind, ends)
+        let tag = Tag::read(source, byte_order)?;
+        let (width, decode) = decoder(tag.kind, byte_order)
             .ok_or(MatError::Damaged("its numbers are of no type that is known"))?;
         if u128::from(rows) * u128::from(columns) * width as u128 != u128::from(tag.size) {
             return Err(MatError::Damaged(
@@ -171,7 +181,7 @@ impl Variable {
 type Decode = fn(&[u8]) -> f64;
 
 /// How wide numbers of a type are and what they stand for. MATLAB shortens doubles that are whole numbers.
-fn decoder(kind: u32, ends: Ends) -> Option<(usize, Decode)> {
+fn decoder(kind: u32, byte_order: ByteOrder) -> Option<(usize, Decode)> {
     macro_rules! number {
         ($type:ty) => {{
             const WIDTH: usize = size_of::<$type>();
@@ -179,7 +189,7 @@ fn decoder(kind: u32, ends: Ends) -> Option<(usize, Decode)> {
                 |b| b.first_chunk().map_or(f64::NAN, |b| <$type>::from_le_bytes(*b) as f64);
             let big: Decode =
                 |b| b.first_chunk().map_or(f64::NAN, |b| <$type>::from_be_bytes(*b) as f64);
-            Some((WIDTH, if ends == Ends::Little { little } else { big }))
+            Some((WIDTH, if byte_order == ByteOrder::Little { little } else { big }))
         }};
     }
     match kind {

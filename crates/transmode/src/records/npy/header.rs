@@ -1,20 +1,20 @@
 //! The dictionary in an NPY header: `{'descr': '<f8', 'fortran_order': False, 'shape': (2000, 3), }`.
 
-use crate::records::binary::Order;
+use crate::records::binary::Layout;
 use crate::records::format_error::FormatError;
 
 /// The three entries.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) descr: String,
-    pub(super) order: Order,
+    pub(super) layout: Layout,
     pub(super) shape: Vec<u64>,
 }
 
 impl Header {
     /// Reads the entries in any order; a literal of Python, of the form that numpy writes.
     pub(super) fn parse(text: &str) -> Result<Self, FormatError> {
-        let (mut descr, mut order, mut shape) = (None, None, None);
+        let (mut descr, mut layout, mut shape) = (None, None, None);
         let mut rest = Rest(text);
         rest.expect('{')?;
         while !rest.take('}') {
@@ -23,7 +23,7 @@ impl Header {
             let repeated = match key {
                 "descr" if rest.next_is('[') => return Err(FormatError::Structured),
                 "descr" => descr.replace(rest.quoted()?.to_owned()).is_some(),
-                "fortran_order" => order.replace(Order::of(rest.truth()?)).is_some(),
+                "fortran_order" => layout.replace(rest.layout()?).is_some(),
                 "shape" => shape.replace(rest.sizes()?).is_some(),
                 _ => return bad("an entry is neither descr nor fortran_order nor shape"),
             };
@@ -38,8 +38,8 @@ impl Header {
         if !rest.0.trim().is_empty() {
             return bad("something follows its end");
         }
-        match (descr, order, shape) {
-            (Some(descr), Some(order), Some(shape)) => Ok(Self { descr, order, shape }),
+        match (descr, layout, shape) {
+            (Some(descr), Some(layout), Some(shape)) => Ok(Self { descr, layout, shape }),
             _ => bad("descr, fortran_order or shape is missing"),
         }
     }
@@ -83,12 +83,15 @@ impl<'a> Rest<'a> {
         bad("a text in quotes is missing")
     }
 
-    fn truth(&mut self) -> Result<bool, FormatError> {
+    /// Fortran's order has the samples of a channel beside each other.
+    fn layout(&mut self) -> Result<Layout, FormatError> {
         self.0 = self.0.trim_start();
-        for (word, truth) in [("False", false), ("True", true)] {
+        for (word, layout) in
+            [("False", Layout::SampleBySample), ("True", Layout::ChannelByChannel)]
+        {
             if let Some(rest) = self.0.strip_prefix(word) {
                 self.0 = rest;
-                return Ok(truth);
+                return Ok(layout);
             }
         }
         bad("fortran_order is neither True nor False")

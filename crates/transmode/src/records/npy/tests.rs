@@ -3,7 +3,7 @@ use super::*;
 /// A version 1.0 file as far as the header.
 fn file(text: &str) -> Vec<u8> {
     let size = u16::try_from(text.len()).unwrap();
-    [MAGIC, &[1, 0], &size.to_le_bytes(), text.as_bytes()].concat()
+    [NPY_MAGIC, &[1, 0], &size.to_le_bytes(), text.as_bytes()].concat()
 }
 
 fn check(bytes: &[u8], length: u64, expected: &str) {
@@ -25,13 +25,13 @@ fn numbers_lie_behind_the_header() {
     let text = format!("{:117}\n", "{'descr': '<f8', 'fortran_order': False, 'shape': (5, 3), }");
     let bytes = file(&text);
     assert_eq!(bytes.len(), 128);
-    let eight = Number { width: Width::Eight, ends: Ends::Little };
+    let eight = Number { width: Width::Eight, byte_order: ByteOrder::Little };
     let found = placement(&mut &bytes[..], 128 + 120).unwrap();
-    assert_eq!(found, Placement::new(128, [5, 3], Order::SampleBySample, eight, 248).unwrap());
+    assert_eq!(found, Placement::new(128, [5, 3], Layout::SampleBySample, eight, 248).unwrap());
     // Versions 2.0 and 3.0 have four bytes for the header's size.
     let size = u32::try_from(text.len()).unwrap().to_le_bytes();
     for version in [2, 3] {
-        let bytes = [MAGIC, &[version, 0], &size, text.as_bytes()].concat();
+        let bytes = [NPY_MAGIC, &[version, 0], &size, text.as_bytes()].concat();
         let found = placement(&mut &bytes[..], 130 + 120).unwrap();
         assert_eq!(found.offset(), 130);
     }
@@ -41,12 +41,12 @@ fn numbers_lie_behind_the_header() {
 fn refuses_what_is_no_such_array() {
     check(b"", 0, "no samples");
     check(b"time,beta\n", 10, "does not start as an NPY file");
-    check(&MAGIC[..3], 3, "does not start as an NPY file");
-    check(MAGIC, 6, "ends within its NPY header");
-    check(&[MAGIC, &[1, 0, 9]].concat(), 9, "ends within its NPY header");
-    check(&[MAGIC, &[4, 0, 0, 0]].concat(), 10, "version 4.0");
-    check(&[MAGIC, &[2, 0, 255, 255, 255, 255]].concat(), 12, "4294967295 bytes long");
-    check(&[MAGIC, &[1, 0, 2, 0, 0xff, 0xfe]].concat(), 12, "it is not text");
+    check(&NPY_MAGIC[..3], 3, "does not start as an NPY file");
+    check(NPY_MAGIC, 6, "ends within its NPY header");
+    check(&[NPY_MAGIC, &[1, 0, 9]].concat(), 9, "ends within its NPY header");
+    check(&[NPY_MAGIC, &[4, 0, 0, 0]].concat(), 10, "version 4.0");
+    check(&[NPY_MAGIC, &[2, 0, 255, 255, 255, 255]].concat(), 12, "4294967295 bytes long");
+    check(&[NPY_MAGIC, &[1, 0, 2, 0, 0xff, 0xfe]].concat(), 12, "it is not text");
     let whole = file(&entries("<f8", "(5, 3)"));
     check(&whole[..40], 40, "ends within its NPY header");
     for descr in ["<i4", "<f2", "<c16", "|O", "=f8", ""] {

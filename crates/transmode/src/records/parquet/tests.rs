@@ -5,12 +5,11 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 
-use super::super::progress::Progress;
-use super::super::table::Chosen;
 use super::*;
+use crate::records::Progress;
 
 /// Two groups of rows: time, a sensor with a missing sample, whole numbers, text.
-fn file(folder: &Path) -> std::path::PathBuf {
+fn file(folder: &Path) -> PathBuf {
     let schema = "message schema { REQUIRED DOUBLE time; OPTIONAL DOUBLE beta; REQUIRED INT32 count; REQUIRED BINARY state; }";
     let schema = Arc::new(parse_message_type(schema).unwrap());
     let path = folder.join("x.parquet");
@@ -39,13 +38,21 @@ fn file(folder: &Path) -> std::path::PathBuf {
     path
 }
 
+/// The channels that `choose` wants of a file with so many.
+fn read(path: &Path, choose: impl Fn(usize) -> Vec<usize>) -> Result<Table, CommandError> {
+    let opened = crate::records::open::open(path, Progress::Hidden)?;
+    let channels = choose(opened.headings().len());
+    opened.read(Chosen { channels, with_time: false })
+}
+
+fn first_three(channels: usize) -> Vec<usize> {
+    (0..channels.min(3)).collect()
+}
+
 fn loaded(chosen: &[usize]) -> Result<Table, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
-    let mut choose =
-        |_: Format, _: &[Heading]| Ok(Chosen { channels: chosen.to_vec(), with_time: false });
-    super::super::source::read(&path, &mut choose, Progress::Shown)
-        .map_err(|error| error.to_string())
+    read(&path, |_| chosen.to_vec()).map_err(|error| error.to_string())
 }
 
 #[test]
@@ -70,17 +77,14 @@ fn any_changed_byte_gets_an_answer() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
     let whole = std::fs::read(&path).unwrap();
-    let mut choose = |_: Format, headings: &[Heading]| {
-        Ok(Chosen { channels: (0..headings.len().min(3)).collect(), with_time: false })
-    };
-    let (mut read, mut refused) = (0, 0);
+    let (mut good, mut refused) = (0, 0);
     for place in 0..whole.len() {
         for change in [0x01, 0x10, 0x80, 0xff] {
             let mut damaged = whole.clone();
             damaged[place] ^= change;
             std::fs::write(&path, &damaged).unwrap();
-            match super::super::source::read(&path, &mut choose, Progress::Hidden) {
-                Ok(_) => read += 1,
+            match read(&path, first_three) {
+                Ok(_) => good += 1,
                 Err(error) => {
                     assert!(!error.to_string().is_empty());
                     refused += 1;
@@ -88,7 +92,7 @@ fn any_changed_byte_gets_an_answer() {
             }
         }
     }
-    assert!(read > 0 && refused > 0, "{read} {refused}");
+    assert!(good > 0 && refused > 0, "{good} {refused}");
 }
 
 #[test]
@@ -96,14 +100,8 @@ fn a_damaged_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path());
     let whole = std::fs::read(&path).unwrap();
-    let mut choose = |_: Format, headings: &[Heading]| {
-        Ok(Chosen { channels: (0..headings.len().min(3)).collect(), with_time: false })
-    };
     for length in (4..whole.len()).step_by(7) {
         std::fs::write(&path, &whole[..length]).unwrap();
-        assert!(
-            super::super::source::read(&path, &mut choose, Progress::Shown).is_err(),
-            "{length}"
-        );
+        assert!(read(&path, first_three).is_err(), "{length}");
     }
 }

@@ -21,6 +21,6 @@ fn refuses_what_is_no_whole_number_of_samples() {
     check(&[0; 47], 3, "its 47 bytes are no multiple of 24, one sample of 3 channels");
     check(&[0; 8], 3, "its 8 bytes are no multiple of 24");
     check(&[0; 48], u64::MAX, "no multiple of 18446744073709551615");
-    let npy = [npy::MAGIC, &[0; 18]].concat();
+    let npy = [NPY_MAGIC, &[0; 18]].concat();
     check(&npy, 3, "this is an NPY file");
 }

@@ -74,9 +74,8 @@ impl Clock {
         let first_day = self.0.map_or(stamp.day, |before| before.first_day);
         self.0 = Some(Read { form, first_day, carried, last: stamp });
         let nanoseconds = (carried + stamp.day - first_day) * DAY + stamp.nanoseconds;
-        #[expect(clippy::cast_precision_loss, reason = "exact for a hundred days")]
-        let seconds = nanoseconds as f64 / SECOND as f64;
-        Some(seconds)
+        // Exact for a hundred days.
+        Some(nanoseconds as f64 / SECOND as f64)
     }
 }
 

@@ -6,10 +6,10 @@ fn parse(text: &str) -> Result<Header, String> {
 
 #[test]
 fn reads_what_numpy_writes() {
-    let header = |descr: &str, order, shape: &[u64]| {
-        Ok(Header { descr: descr.to_owned(), order, shape: shape.to_vec() })
+    let header = |descr: &str, layout, shape: &[u64]| {
+        Ok(Header { descr: descr.to_owned(), layout, shape: shape.to_vec() })
     };
-    use Order::{ChannelByChannel, SampleBySample};
+    use Layout::{ChannelByChannel, SampleBySample};
     assert_eq!(
         parse("{'descr': '<f8', 'fortran_order': False, 'shape': (2000, 3), }            \n"),
         header("<f8", SampleBySample, &[2000, 3])
