@@ -25,7 +25,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use report::{Block, Document};
 
 use crate::TaskError;
-use crate::page::{Page, Pictures};
+use crate::shared::page::{Page, Pictures};
 use peers::Peers;
 
 /// Measure speed, accuracy, growth and memory of the fits.

@@ -2,8 +2,8 @@
 
 mod bench;
 mod error;
-mod page;
 mod reproduce;
+mod shared;
 mod study;
 mod tidy;
 

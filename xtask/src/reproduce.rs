@@ -18,10 +18,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use report::{Block, Column, Document, Table, html, markdown, png, svg};
-use transmode::write_whole;
+use report::{Block, Column, Document, Table, html, markdown, svg};
 
 use crate::TaskError;
+use crate::shared::page::{Page, Pictures, write_figures, write_whole};
 use check::{Check, Verdict};
 use flight::Flight;
 
@@ -95,7 +95,7 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
         let folder = args.out.clone().unwrap_or_else(|| root.join("target/reproduce"));
         write_results(&folder, &document, &results::json(&checks, &flight)?)?;
         if args.update {
-            write_docs(root, &document)?;
+            committed(&document).write(&root.join("docs"), "figures", Pictures::Vector)?;
         }
         bar.finish_and_clear();
         say(out, &summary(&checks))?;
@@ -190,42 +190,23 @@ fn counts(checks: &[&Check]) -> String {
 }
 
 fn write_results(folder: &Path, document: &Document, results: &str) -> Result<(), TaskError> {
-    std::fs::create_dir_all(folder).map_err(|source| TaskError::io(folder, source))?;
-    for figure in document.figures() {
-        let picture = svg::render(figure).map_err(TaskError::computation("figures"))?;
-        let pixels = png::render(&picture, 2.0).map_err(TaskError::computation("figures"))?;
-        write(&folder.join(format!("{}.svg", figure.id)), picture.as_bytes())?;
-        write(&folder.join(format!("{}.png", figure.id)), &pixels)?;
-    }
+    write_figures(document, folder, Pictures::Both)?;
     let page = html::render(document).map_err(TaskError::computation("report"))?;
-    write(&folder.join("report.html"), page.as_bytes())?;
-    write(&folder.join("report.md"), markdown::render(document, "").as_bytes())?;
-    write(&folder.join("results.json"), results.as_bytes())
+    write_whole(&folder.join("report.html"), page.as_bytes())?;
+    write_whole(&folder.join("report.md"), markdown::render(document, "").as_bytes())?;
+    write_whole(&folder.join("results.json"), results.as_bytes())
 }
 
-const COMMITTED: &str = "docs/reproduction.md";
-
-fn committed_text(document: &Document) -> String {
-    format!(
-        "<!-- Written by `cargo xtask reproduce --update`. -->\n\n{}",
-        markdown::render(document, "figures")
-    )
-}
-
-fn write_docs(root: &Path, document: &Document) -> Result<(), TaskError> {
-    let figures = root.join("docs/figures");
-    std::fs::create_dir_all(&figures).map_err(|source| TaskError::io(&figures, source))?;
-    for figure in document.figures() {
-        let picture = svg::render(figure).map_err(TaskError::computation("figures"))?;
-        write(&figures.join(format!("{}.svg", figure.id)), picture.as_bytes())?;
-    }
-    write(&root.join(COMMITTED), committed_text(document).as_bytes())
+/// The page under docs.
+fn committed(document: &Document) -> Page<'_> {
+    Page { file: "reproduction.md", command: "cargo xtask reproduce --update", document }
 }
 
 fn check_committed(root: &Path, document: &Document) -> Result<(), TaskError> {
-    let file = root.join(COMMITTED);
+    let page = committed(document);
+    let file = root.join("docs").join(page.file);
     let text = std::fs::read_to_string(&file).map_err(|source| TaskError::io(&file, source))?;
-    if text.replace("\r\n", "\n") != committed_text(document) {
+    if text.replace("\r\n", "\n") != page.text("figures") {
         return Err(TaskError::Stale { file });
     }
     for figure in document.figures() {
@@ -238,10 +219,6 @@ fn check_committed(root: &Path, document: &Document) -> Result<(), TaskError> {
         }
     }
     Ok(())
-}
-
-fn write(file: &Path, bytes: &[u8]) -> Result<(), TaskError> {
-    Ok(write_whole(file, bytes, &mut std::io::sink())?)
 }
 
 fn say(out: &mut dyn Write, text: &str) -> Result<(), TaskError> {

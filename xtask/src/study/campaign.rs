@@ -8,7 +8,7 @@ use report::Document;
 
 use super::runs::{self, Kept};
 use crate::TaskError;
-use crate::page::{Page, Pictures};
+use crate::shared::page::{Page, Pictures};
 
 /// What a study does.
 pub(super) trait Campaign: Sync {
