@@ -200,11 +200,9 @@ fn planted_record(condition: f64, unexplained: f64) -> [Vec<f64>; 2] {
     let [_, r, d] = PLANTED;
     let mut random = ChaCha8Rng::seed_from_u64(4);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
-    let parameters = f64::from(u32::try_from(r + d + 1).unwrap_or(u32::MAX));
-    let noise = parameters.sqrt() / (2.0 * condition);
-    let input: Vec<f64> = (0..PLANTED_SAMPLES)
-        .map(|k| (0.1 * f64::from(u32::try_from(k).unwrap_or(u32::MAX))).cos() + noise * normal())
-        .collect();
+    let noise = ((r + d + 1) as f64).sqrt() / (2.0 * condition);
+    let input: Vec<f64> =
+        (0..PLANTED_SAMPLES).map(|k| (0.1 * k as f64).cos() + noise * normal()).collect();
     let coefficients: Vec<f64> = (0..=r + d).map(|_| normal()).collect();
     let clean: Vec<f64> = (0..PLANTED_SAMPLES)
         .map(|k| {
@@ -214,7 +212,7 @@ fn planted_record(condition: f64, unexplained: f64) -> [Vec<f64>; 2] {
         })
         .collect();
     let square: f64 = clean.iter().map(|y| y * y).sum();
-    let rms = (square / clean.iter().map(|_| 1.0).sum::<f64>()).sqrt();
+    let rms = (square / clean.len() as f64).sqrt();
     let output = clean.into_iter().map(|y| y + unexplained * rms * normal()).collect();
     [input, output]
 }

@@ -74,7 +74,7 @@ impl Curve {
     }
 
     fn push(&mut self, x: usize, timing: &Timing) {
-        self.points.push((number(x), timing.median()));
+        self.points.push((x as f64, timing.median()));
     }
 }
 
@@ -125,8 +125,8 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     for samples in lengths {
         match stream_one(bench, samples)? {
             Ok(Streamed { sums, solution, peak_bytes }) => {
-                summed.push((number(samples), sums.median()));
-                streamed.points.push((number(samples), sums.median() + solution.median()));
+                summed.push((samples as f64, sums.median()));
+                streamed.points.push((samples as f64, sums.median() + solution.median()));
                 solutions.push(solution.median());
                 peaks.extend(
                     peak_bytes.filter(|_| samples >= MEMORY_FROM).map(|bytes| (samples, bytes)),
@@ -297,7 +297,7 @@ fn memory_table(peaks: &[(usize, u64)]) -> Result<Block, TaskError> {
         [Column::right("N"), Column::right("record (MB)"), Column::right("peak memory (MB)")];
     let mut table = Table::new("Memory of the streaming process", header);
     for (samples, bytes) in peaks {
-        let record = 16e-6 * number(*samples);
+        let record = 16e-6 * *samples as f64;
         table
             .push([
                 power(*samples),
@@ -341,21 +341,17 @@ fn figure(id: &str, title: &str, caption: &str, x: &str, curves: &[Curve]) -> Fi
 
 /// A count as a power of ten, where it is one.
 fn power(count: usize) -> String {
-    format!("{:e}", number(count))
+    format!("{:e}", count as f64)
 }
 
 fn megabytes(bytes: u64) -> f64 {
-    u32::try_from(bytes / 1000).map_or(f64::INFINITY, |kilobytes| f64::from(kilobytes) / 1000.0)
-}
-
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::INFINITY, f64::from)
+    (bytes / 1000) as f64 / 1000.0
 }
 
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "places on the x axis are counts made into doubles by `number`"
+    reason = "places on the x axis are counts made into doubles"
 )]
 fn whole(place: f64) -> usize {
     place as usize

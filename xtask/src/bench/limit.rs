@@ -36,7 +36,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
         let timing = time(Runs::MANY, || ours::gram(&layout, &record[..channels], 1))?;
         let work = lag_products(&layout);
         let rate = |products: usize| {
-            FLOPS_PER_PRODUCT * number(products) * number(SAMPLES) / timing.median()
+            FLOPS_PER_PRODUCT * products as f64 * SAMPLES as f64 / timing.median()
         };
         let show = |fraction: f64| format!("{:.0} %", 100.0 * fraction);
         rows.push(Row::new(
@@ -104,10 +104,6 @@ fn lag_products(layout: &Layout) -> Work {
 fn between(a: &Column, b: &Column) -> (usize, usize, isize) {
     let (a, b) = if (a.channel, a.lag) <= (b.channel, b.lag) { (a, b) } else { (b, a) };
     (a.channel, b.channel, b.lag - a.lag)
-}
-
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::NAN, f64::from)
 }
 
 #[cfg(test)]

@@ -101,8 +101,8 @@ pub(crate) fn record(excitation: Excitation, samples: usize) -> Result<Channels,
 pub(crate) fn with_noise(mut channels: Channels) -> Channels {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     for channel in &mut channels {
-        let count: f64 = channel.iter().map(|_| 1.0).sum();
-        let level = 0.01 * (channel.iter().map(|x| x * x).sum::<f64>() / count).sqrt();
+        let square = channel.iter().map(|x| x * x).sum::<f64>() / channel.len() as f64;
+        let level = 0.01 * square.sqrt();
         for x in channel {
             let noise: f64 = StandardNormal.sample(&mut random);
             *x += level * noise;

@@ -8,10 +8,8 @@ pub(crate) fn log_log_slope(points: &[(f64, f64)]) -> Option<f64> {
         return None;
     }
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let mean = |part: fn(&(f64, f64)) -> f64| {
-        let count: f64 = logs.iter().map(|_| 1.0).sum();
-        logs.iter().map(part).sum::<f64>() / count
-    };
+    let mean =
+        |part: fn(&(f64, f64)) -> f64| logs.iter().map(part).sum::<f64>() / logs.len() as f64;
     let (u_mean, v_mean) = (mean(|log| log.0), mean(|log| log.1));
     let along: f64 = logs.iter().map(|(u, _)| (u - u_mean).powi(2)).sum();
     let across: f64 = logs.iter().map(|(u, v)| (u - u_mean) * (v - v_mean)).sum();

@@ -27,7 +27,7 @@ impl MethodSummary {
 }
 
 pub(crate) fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|value| value * value).sum::<f64>() / count(values.len())).sqrt()
+    (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt()
 }
 
 /// The middle value, or the mean of the two in the middle; not a number where there is none.
@@ -45,8 +45,10 @@ pub(crate) fn median(values: &[f64]) -> f64 {
 pub(crate) fn quantile(values: &[f64], part: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let place =
-        sorted.iter().enumerate().find(|(below, _)| count(below + 1) >= part * count(values.len()));
+    let place = sorted
+        .iter()
+        .enumerate()
+        .find(|(below, _)| (below + 1) as f64 >= part * values.len() as f64);
     place.map_or(f64::NAN, |(_, value)| *value)
 }
 
@@ -60,13 +62,9 @@ pub(crate) fn histogram(values: &[f64], ends: (f64, f64), bins: u32) -> Vec<(f64
             let inside =
                 |value: f64| (value >= left || bin == 0) && (value < right || bin + 1 == bins);
             let number = values.iter().filter(|value| inside(**value)).count();
-            (left, right, count(number) / (count(values.len().max(1)) * width))
+            (left, right, number as f64 / (values.len().max(1) as f64 * width))
         })
         .collect()
-}
-
-pub(crate) fn count(number: usize) -> f64 {
-    u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
 #[cfg(test)]

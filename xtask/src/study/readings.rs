@@ -4,7 +4,6 @@ use lti::SamplePeriod;
 use nalgebra::DMatrix;
 use reconstruct::{Channel, Record};
 
-use super::averages::count;
 use super::signals::{Stream, normal};
 use crate::TaskError;
 
@@ -19,7 +18,7 @@ pub(super) const SURFACES: [&str; 2] = ["aileron", "rudder"];
 pub(super) fn noise_levels(clean: &[DMatrix<f64>], signal_to_noise: f64) -> Vec<f64> {
     let level = |sensor| {
         let deviations = clean.iter().map(|y| y.row(sensor).variance().sqrt());
-        deviations.sum::<f64>() / count(clean.len()) / signal_to_noise
+        deviations.sum::<f64>() / clean.len() as f64 / signal_to_noise
     };
     (0..SENSORS.len()).map(level).collect()
 }

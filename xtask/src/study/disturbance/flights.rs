@@ -8,7 +8,6 @@ use super::case::{Case, Excitation};
 use super::turbulence::Turbulence;
 use crate::TaskError;
 use crate::reproduce::flight::sampled_aircraft;
-use crate::study::averages::count;
 use crate::study::modes::TrueModes;
 use crate::study::noise::flights::Simulator as Aircraft;
 use crate::study::readings::{SENSORS, SURFACES, noise_levels, noisy_record};
@@ -134,7 +133,7 @@ fn controls_of(excitation: Excitation, seed: u64, surface: usize) -> DMatrix<f64
 fn deviations(motions: &[DMatrix<f64>]) -> Vec<f64> {
     let deviation = |sensor| {
         let sum: f64 = motions.iter().map(|y| y.row(sensor).variance()).sum();
-        (sum / count(motions.len())).sqrt()
+        (sum / motions.len() as f64).sqrt()
     };
     (0..SENSORS.len()).map(deviation).collect()
 }
@@ -142,7 +141,7 @@ fn deviations(motions: &[DMatrix<f64>]) -> Vec<f64> {
 /// The size of one motion over that of another: root mean square of the sensors' ratios.
 fn size_ratio(motion: &[f64], other: &[f64]) -> f64 {
     let squares = motion.iter().zip(other).map(|(x, y)| (x / y).powi(2));
-    (squares.sum::<f64>() / count(motion.len())).sqrt()
+    (squares.sum::<f64>() / motion.len() as f64).sqrt()
 }
 
 #[cfg(test)]

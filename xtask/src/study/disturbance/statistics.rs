@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::case::Excitation;
 use super::outcome::{Likelihood, Outcome, Subspace};
-use crate::study::averages::{MethodSummary, count, median, quantile, root_mean_square};
+use crate::study::averages::{MethodSummary, median, quantile, root_mean_square};
 use crate::study::modes::PerMode;
 use crate::study::verdict::LOST;
 
@@ -126,7 +126,7 @@ fn summary(kind: Kind, outcomes: &[Outcome], sizes: PerMode) -> Summary {
         ],
         bound: [0, 1, 2].map(|mode| {
             let sum: f64 = outcomes.iter().map(|run| run.bound[mode]).sum();
-            (sum / count(outcomes.len())).sqrt()
+            (sum / outcomes.len() as f64).sqrt()
         }),
         middle_bound: [0, 1, 2].map(|mode| {
             median(&outcomes.iter().map(|run| run.bound[mode].sqrt()).collect::<Vec<_>>())
@@ -147,7 +147,7 @@ fn fits_of(runs: &[Option<Likelihood>]) -> Fits {
     Fits {
         chi_squared: [0.05, 0.5, 0.95].map(|part| quantile(&chi_squared, part)),
         coverage: [0, 1, 2].map(|mode| {
-            count(fits.iter().filter(|fit| fit.covered[mode]).count()) / count(fits.len().max(1))
+            fits.iter().filter(|fit| fit.covered[mode]).count() as f64 / fits.len().max(1) as f64
         }),
         score_deviation: [scores(&[0]), scores(&[1]), scores(&[2, 3])],
         unconverged: fits.iter().filter(|fit| !fit.converged).count(),

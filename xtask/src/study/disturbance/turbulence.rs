@@ -7,7 +7,6 @@ use num_complex::Complex;
 use reconstruct::NoiseSpectrum;
 
 use crate::TaskError;
-use crate::study::averages::count;
 
 const PART: &str = "turbulence";
 
@@ -65,7 +64,7 @@ impl Turbulence {
             complex(self.noise.fine().c()),
         );
         let at = |k: usize| {
-            let z = Complex::from_polar(1.0, std::f64::consts::TAU * count(k) / count(samples));
+            let z = Complex::from_polar(1.0, std::f64::consts::TAU * k as f64 / samples as f64);
             let inverse = (DMatrix::identity(n, n) * z - &f)
                 .try_inverse()
                 .ok_or_else(|| TaskError::computation(PART)("an eigenvalue on the unit circle"))?;

@@ -2,7 +2,7 @@
 
 use super::case::Excitation;
 use super::outcome::Outcome;
-use crate::study::averages::{MethodSummary, count, root_mean_square};
+use crate::study::averages::{MethodSummary, root_mean_square};
 use crate::study::modes::PerMode;
 use crate::study::verdict::LOST;
 
@@ -54,7 +54,7 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
             .filter(|score| score.abs() < LOST)
             .collect()
     };
-    let part_of = |number: usize, all: usize| count(number) / count(all.max(1));
+    let part_of = |number: usize, all: usize| number as f64 / all.max(1) as f64;
     Summary {
         kind,
         runs: outcomes.len(),
@@ -67,7 +67,7 @@ fn summary(kind: Kind, outcomes: &[Outcome]) -> Summary {
         ],
         bound: [0, 1, 2].map(|mode| {
             let sum: f64 = outcomes.iter().map(|run| run.bound[mode]).sum();
-            (sum / count(outcomes.len())).sqrt()
+            (sum / outcomes.len() as f64).sqrt()
         }),
         scores: [scores(&[0]), scores(&[1]), scores(&[2, 3])],
         coverage: [0, 1, 2]

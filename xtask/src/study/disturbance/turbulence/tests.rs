@@ -21,11 +21,11 @@ fn the_spectrum_is_that_of_the_motion() {
         for seed in 0..40 {
             let y = turbulence.motion(SAMPLES, &mut stream(seed, 0)).unwrap();
             for k in &frequencies {
-                let step = std::f64::consts::TAU * count(*k) / count(SAMPLES);
+                let step = std::f64::consts::TAU * *k as f64 / SAMPLES as f64;
                 let sum: Complex<f64> = (0..SAMPLES)
-                    .map(|i| Complex::from_polar(y[(sensor, i)], -step * count(i)))
+                    .map(|i| Complex::from_polar(y[(sensor, i)], -step * i as f64))
                     .sum();
-                found += sum.norm_sqr() / count(SAMPLES) / 40.0;
+                found += sum.norm_sqr() / SAMPLES as f64 / 40.0;
             }
         }
         // 2840 periodogram values, most of the power in a tenth of them.
