@@ -6,13 +6,13 @@ use report::{
 
 use super::machine::free_bytes;
 use super::ours::{self, How, ModelOrders, PAPER};
-use super::records::{self, Excitation};
-use super::row::{Asked, Row, asked_and_reached, times};
-use super::slope::log_log_slope;
+use super::records::{self, Surface};
 use super::stream::{self, Streamed};
+use super::times::times;
 use super::timing::{Runs, Timing, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
 
 /// Lengths of the records that are held in memory.
 const LENGTHS: [usize; 4] = [10_000, 100_000, 1_000_000, 10_000_000];
@@ -107,7 +107,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let [gram, fit, streamed, lstsq, plain] = &mut curves;
     for samples in LENGTHS {
         bench.say(format!("growth: N = {}", power(samples)));
-        let channels = records::with_noise(records::record(Excitation::Aileron, samples)?);
+        let channels = records::with_noise(records::record(Surface::Aileron, samples)?);
         let record = [channels[0].as_slice(), channels[1].as_slice()];
         let runs = if samples > 1_000_000 { Runs::FEW } else { Runs::MANY };
         gram.push(samples, &time(runs, || ours::gram(&layout, &record, 1))?);
@@ -171,7 +171,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
 }
 
 fn with_columns(bench: &Bench) -> Result<Vec<Block>, TaskError> {
-    let channels = records::with_noise(records::record(Excitation::Aileron, COLUMNS_LENGTH)?);
+    let channels = records::with_noise(records::record(Surface::Aileron, COLUMNS_LENGTH)?);
     let record = [channels[0].as_slice(), channels[1].as_slice()];
     let mut curves = [
         Curve::new(Who::Gram),
@@ -244,7 +244,8 @@ fn add_peers(
     Ok(())
 }
 
-/// Writes a record to disk, fits it in another process, and removes it. The inner error says why there was no room for it.
+/// Writes a record to disk, fits it in another process, and removes it. The inner error says why
+/// there was no room for it.
 fn stream_one(bench: &Bench, samples: usize) -> Result<Result<Streamed, String>, TaskError> {
     /// What must stay free on the disk.
     const RESERVE: u64 = 1 << 30;
@@ -274,6 +275,23 @@ fn slope_row(what: &str, points: &[(f64, f64)], asked: Asked) -> Row {
         Some(slope) => Row::new(format!("{what}{range}"), asked, slope, |x| format!("{x:.2}")),
         None => Row::unknown(what, "a slope", "fewer than two points"),
     }
+}
+
+/// The least-squares slope of log(y) over log(x); `None` unless two different x and only positive
+/// values are given.
+///
+/// slope = sum (u - mean u)(v - mean v) / sum (u - mean u)^2, with u = log x and v = log y.
+fn log_log_slope(points: &[(f64, f64)]) -> Option<f64> {
+    if points.iter().any(|(x, y)| !(*x > 0.0 && *y > 0.0 && x.is_finite() && y.is_finite())) {
+        return None;
+    }
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let mean =
+        |part: fn(&(f64, f64)) -> f64| logs.iter().map(part).sum::<f64>() / logs.len() as f64;
+    let (u_mean, v_mean) = (mean(|log| log.0), mean(|log| log.1));
+    let along: f64 = logs.iter().map(|(u, _)| (u - u_mean).powi(2)).sum();
+    let across: f64 = logs.iter().map(|(u, v)| (u - u_mean) * (v - v_mean)).sum();
+    (along > 0.0).then(|| across / along)
 }
 
 /// Large counts as powers of ten, small ones in full.

@@ -6,15 +6,16 @@ use hankel::{Column, Layout};
 
 use super::ours::{self, PAPER};
 use super::peak::fma_peak;
-use super::records::{self, Excitation};
-use super::row::{Asked, Row, asked_and_reached};
+use super::records::{self, Surface};
 use super::timing::{Runs, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
 
 const SAMPLES: usize = 1_000_000;
 
-/// Floating-point operations of one compensated product: two fused multiply-adds, a subtraction and an addition.
+/// Floating-point operations of one compensated product: two fused multiply-adds, a subtraction and
+/// an addition.
 const FLOPS_PER_PRODUCT: f64 = 6.0;
 
 /// Neighbouring lags that the kernel sums together.
@@ -24,7 +25,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     bench.say("limit: peak");
     let peak = fma_peak()?;
     bench.say("limit: Gram matrices");
-    let channels = records::record(Excitation::Aileron, SAMPLES)?;
+    let channels = records::record(Surface::Aileron, SAMPLES)?;
     let record = [channels[0].as_slice(), &channels[1], &channels[2]];
     let cases = [
         ("composite fit, 54 regressors and target", ours::cfi_layout(PAPER)?, 2),
@@ -81,7 +82,8 @@ struct Work {
     padded: usize,
 }
 
-/// Counts the pairs of channels and the lags between their columns, each once, whichever comes first.
+/// Counts the pairs of channels and the lags between their columns, each once, whichever comes
+/// first.
 fn lag_products(layout: &Layout) -> Work {
     let columns = layout.columns();
     let mut lags: BTreeSet<(usize, usize, isize)> = BTreeSet::new();
