@@ -1,4 +1,5 @@
-//! The machine's peak: how many fused multiply-adds one core does in a second when nothing else is in their way.
+//! The machine's peak: how many fused multiply-adds one core does in a second when nothing else is
+//! in their way.
 
 use std::hint::black_box;
 
@@ -7,8 +8,8 @@ use pulp::{Arch, Simd, WithSimd};
 use super::timing::{Runs, measure};
 use crate::TaskError;
 
-/// Chains of dependent multiply-adds side by side. Latency times throughput is 8 to 10 on present processors; 12 and the two constants
-/// just fit the 16 registers of AVX2.
+/// Chains of dependent multiply-adds side by side. Latency times throughput is 8 to 10 on present
+/// processors; 12 and the two constants just fit the 16 registers of AVX2.
 const CHAINS: usize = 12;
 /// Links of each chain in one run.
 const LINKS: u32 = 2_000_000;
@@ -24,7 +25,8 @@ pub(crate) struct Peak {
     pub(crate) instruction_set: &'static str,
 }
 
-/// Measures the peak of one core: the fastest run, since whatever slows a run down makes it no peak.
+/// Measures the peak of one core: the fastest run, since whatever slows a run down makes it no
+/// peak.
 pub(crate) fn fma_peak() -> Result<Peak, TaskError> {
     let arch = Arch::new();
     let timing = measure(Runs::MANY, || Ok(arch.dispatch(Chains)))?;
@@ -43,7 +45,8 @@ fn instruction_set(lanes: usize) -> &'static str {
     }
 }
 
-/// x = a x + b in each chain. With a just below one the values stay near b / (1 - a) = 1: nothing overflows, nothing is subnormal.
+/// x = a x + b in each chain. With a just below one the values stay near b / (1 - a) = 1: nothing
+/// overflows, nothing is subnormal.
 struct Chains;
 
 impl WithSimd for Chains {
