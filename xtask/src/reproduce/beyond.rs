@@ -12,7 +12,7 @@ use super::check::Check;
 use super::{AircraftExample, Part};
 use crate::TaskError;
 use crate::shared::averages::median;
-use crate::shared::matching::{both, holds_in_ellipse};
+use crate::shared::matching::{holds_in_ellipse, with_conjugate};
 use crate::shared::methods::{Look, METHODS, RATIO_AXIS, apply, most_likely, printed_errors};
 use crate::shared::modes::{MODES, TrueModes};
 use crate::shared::noisy_flights::{Excitation, Simulator};
@@ -32,7 +32,7 @@ const RATIO: f64 = 10.0;
 type Errors = [Option<[f64; 3]>; 2];
 
 /// The modes of one reconstruction: spiral, roll, Dutch roll.
-type Found = [ComplexEstimate; 3];
+type EstimatedModes = [ComplexEstimate; 3];
 
 pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
     let simulator = Simulator::new()?;
@@ -52,13 +52,17 @@ pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
 fn checks(
     example: &AircraftExample,
     truth: &TrueModes,
-    found: &[Found],
+    found: &[EstimatedModes],
 ) -> Result<Vec<Check>, TaskError> {
     let Options { noise, order, .. } = Options::default();
     let noise_free = apply(&example.records, Method::MaximumLikelihood, noise, order)
         .ok_or_else(|| TaskError::computation(PART)("nothing from records without noise"))?;
-    let eigenvalues: Vec<Complex<f64>> =
-        noise_free.modes.iter().map(|found| found.mode.eigenvalue).flat_map(both).collect();
+    let eigenvalues: Vec<Complex<f64>> = noise_free
+        .modes
+        .iter()
+        .map(|found| found.mode.eigenvalue)
+        .flat_map(with_conjugate)
+        .collect();
     let held = found.iter().filter(|run| holds_in_ellipse(&run[2], truth.dutch_roll)).count();
     let all = found.len() as f64;
     Ok(vec![
@@ -96,7 +100,7 @@ fn against_ratio(simulator: &Simulator) -> Result<Vec<(f64, Vec<Errors>)>, TaskE
     Ok(RATIOS.into_iter().zip(by_ratio.map(<[_]>::to_vec)).collect())
 }
 
-fn reconstructions(simulator: &Simulator) -> Result<Vec<Found>, TaskError> {
+fn reconstructions(simulator: &Simulator) -> Result<Vec<EstimatedModes>, TaskError> {
     let truth = simulator.aircraft.modes;
     let seeds: Vec<u64> = (1..=RECONSTRUCTIONS).collect();
     in_parallel(&seeds, all_cores(), |seed| {
@@ -159,7 +163,7 @@ fn error_table(curves: &[(f64, Vec<Errors>)]) -> Result<Block, TaskError> {
 }
 
 /// The s-plane with all reconstructions: the upper half, the Dutch roll, the real axis.
-fn plane_figure(truth: &TrueModes, found: &[Found]) -> Block {
+fn plane_figure(truth: &TrueModes, found: &[EstimatedModes]) -> Block {
     let caption = "Fifty reconstructions at a signal to noise ratio of 10 (20 dB). The ellipse around the true eigenvalue has the mean of the covariances that the \
                    reconstructions state: about one in twenty lies outside. For the two real modes it is an interval.";
     let xy = |s: &Complex<f64>| (s.re, s.im);

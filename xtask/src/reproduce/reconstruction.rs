@@ -47,7 +47,7 @@ pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
             EIGENVALUE_TOLERANCE,
             "log(z)/T of the shared zeros, against the eigenvalues of A",
         ),
-        order(example)?,
+        order_in_print(example)?,
         sideslip_needed(example)?,
     ];
     for (difference, (id, outputs)) in example
@@ -68,7 +68,7 @@ pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
 }
 
 /// The paper lists four zeros, then four eigenvalues in another order.
-fn order(example: &AircraftExample) -> Result<Check, TaskError> {
+fn order_in_print(example: &AircraftExample) -> Result<Check, TaskError> {
     let nearest = |printed: f64| {
         let real = example.result.modes.iter().filter(|mode| mode.eigenvalue.im.abs() <= 0.0);
         let distance = |mode: &&ReconstructedMode| {

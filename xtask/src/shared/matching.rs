@@ -15,19 +15,19 @@ pub(crate) fn reconstruction_errors(found: &Reconstruction, truth: &TrueModes) -
 /// Errors of eigenvalues, of which a complex pair may be given once or as both.
 pub(crate) fn eigenvalue_errors(values: &[Complex<f64>], truth: &TrueModes) -> Option<PerMode> {
     let upper: Vec<_> = values.iter().copied().filter(|s| s.im >= 0.0).collect();
-    let places = with_conjugates(&upper, truth)?;
+    let places = by_mode(&upper, truth)?;
     Some(errors(&places, truth))
 }
 
 /// The eigenvalues for spiral, roll, Dutch roll. A pair may stand for two real modes that the
 /// method could not tell apart.
-fn with_conjugates(values: &[Complex<f64>], truth: &TrueModes) -> Option<[Complex<f64>; 3]> {
-    let all: Vec<_> = values.iter().flat_map(|s| both(*s)).collect();
+fn by_mode(values: &[Complex<f64>], truth: &TrueModes) -> Option<[Complex<f64>; 3]> {
+    let all: Vec<_> = values.iter().flat_map(|s| with_conjugate(*s)).collect();
     assigned(&all, truth).map(|places| places.map(|place| all[place]))
 }
 
 /// An eigenvalue and, where it is not real, its conjugate.
-pub(crate) fn both(s: Complex<f64>) -> Vec<Complex<f64>> {
+pub(crate) fn with_conjugate(s: Complex<f64>) -> Vec<Complex<f64>> {
     if s.im.abs() > 0.0 { vec![s, s.conj()] } else { vec![s] }
 }
 
@@ -41,7 +41,7 @@ pub(crate) fn errors(found: &[Complex<f64>; 3], truth: &TrueModes) -> PerMode {
 pub(crate) fn named(fit: &LikelihoodFit, truth: &TrueModes) -> Option<[ModeEstimate; 3]> {
     let (mut values, mut owners) = (Vec::new(), Vec::new());
     for mode in &fit.modes {
-        for s in both(mode.continuous.value) {
+        for s in with_conjugate(mode.continuous.value) {
             values.push(s);
             owners.push(mode);
         }
@@ -130,11 +130,11 @@ mod tests {
             dutch_roll: Complex::new(-0.1, 1.7),
         };
         let values = [Complex::new(-0.25, 0.1), Complex::new(-0.1, 1.6)];
-        let found = with_conjugates(&values, &truth).unwrap();
+        let found = by_mode(&values, &truth).unwrap();
         let [spiral, roll, dutch_roll] = errors(&found, &truth);
         assert!((spiral - 0.25_f64.hypot(0.1)).abs() < 1e-12);
         assert!((roll - 0.25_f64.hypot(0.1)).abs() < 1e-12);
         assert!((dutch_roll - 0.1).abs() < 1e-12);
-        assert!(with_conjugates(&values[..1], &truth).is_none());
+        assert!(by_mode(&values[..1], &truth).is_none());
     }
 }

@@ -19,7 +19,7 @@ pub(super) const LOST: f64 = 1e100;
 
 /// How far off a fit is, and what it states about itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Fit {
+pub(super) struct JudgedFit {
     /// Errors |s - true s| in 1/s.
     pub(super) errors: PerMode,
     /// Error over its own deviation: spiral, roll, Dutch roll's real part, its imaginary part;
@@ -32,7 +32,7 @@ pub(super) struct Fit {
     pub(super) converged: bool,
 }
 
-impl Fit {
+impl JudgedFit {
     /// `modes` are the fit's, for spiral, roll, Dutch roll.
     pub(super) fn new(fit: &LikelihoodFit, modes: &[ModeEstimate; 3], truth: &TrueModes) -> Self {
         Self {

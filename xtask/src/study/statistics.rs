@@ -1,6 +1,6 @@
 //! What many runs of one kind say together.
 
-use super::fit::{Fit, LOST};
+use super::fit::{JudgedFit, LOST};
 use crate::shared::averages::{median, root_mean_square};
 use crate::shared::modes::PerMode;
 
@@ -46,8 +46,8 @@ pub(super) struct FitSummary {
 }
 
 impl FitSummary {
-    pub(super) fn of<'a>(fits: impl IntoIterator<Item = &'a Fit>) -> Self {
-        let fits: Vec<&Fit> = fits.into_iter().collect();
+    pub(super) fn of<'a>(fits: impl IntoIterator<Item = &'a JudgedFit>) -> Self {
+        let fits: Vec<&JudgedFit> = fits.into_iter().collect();
         let scores = |parts: &[usize]| {
             fits.iter()
                 .flat_map(|fit| parts.iter().map(|part| fit.scores[*part]))

@@ -13,7 +13,7 @@ use crate::TaskError;
 use crate::shared::matching::{eigenvalue_errors, named, reconstruction_errors};
 use crate::shared::methods::{ORDER, apply};
 use crate::shared::modes::{PerMode, TrueModes};
-use crate::study::fit::{self, Fit, search};
+use crate::study::fit::{self, JudgedFit, search};
 
 const PART: &str = "study";
 
@@ -66,7 +66,7 @@ pub(super) struct Likelihood {
     /// Chi-squared is under the spectrum that the fit used, or without one under the true levels of
     /// the sensors' noise.
     #[serde(flatten)]
-    pub(super) fit: Fit,
+    pub(super) fit: JudgedFit,
     /// The kinds of doubts that the result carries, each once.
     pub(super) doubts: Vec<String>,
 }
@@ -118,7 +118,7 @@ fn both(records: &[Record], noise: NoiseModel, truth: &TrueModes) -> (Both, Opti
 
 fn closed_form(found: &Reconstruction, truth: &TrueModes) -> Option<Subspace> {
     let errors = reconstruction_errors(found, truth)?;
-    Some(Subspace { errors, doubts: kinds(&found.doubts) })
+    Some(Subspace { errors, doubts: doubt_names(&found.doubts) })
 }
 
 fn judged(
@@ -127,12 +127,12 @@ fn judged(
     truth: &TrueModes,
 ) -> Option<Likelihood> {
     let modes = named(fit, truth)?;
-    Some(Likelihood { fit: Fit::new(fit, &modes, truth), doubts: kinds(doubts) })
+    Some(Likelihood { fit: JudgedFit::new(fit, &modes, truth), doubts: doubt_names(doubts) })
 }
 
 /// The names of the doubts' variants, each once: what is left of `Subspace(NoiseNotWhite { record:
 /// .. })` is `NoiseNotWhite`.
-fn kinds(doubts: &[ReconstructionDoubt]) -> Vec<String> {
+fn doubt_names(doubts: &[ReconstructionDoubt]) -> Vec<String> {
     let name = |doubt: &ReconstructionDoubt| {
         let text = match doubt {
             ReconstructionDoubt::Subspace(doubt) => format!("{doubt:?}"),

@@ -12,7 +12,7 @@ use crate::shared::matching::reconstruction_errors;
 use crate::shared::methods::{ORDER, apply, most_likely, printed_errors};
 use crate::shared::modes::PerMode;
 use crate::shared::noisy_flights::{Pair, Simulator};
-use crate::study::fit::{self, Fit, search};
+use crate::study::fit::{self, JudgedFit, search};
 
 const PART: &str = "study";
 
@@ -36,7 +36,7 @@ pub(super) struct Likelihood {
     /// Intervals of spiral and roll are those of the likelihood itself; chi-squared is under the
     /// true noise levels.
     #[serde(flatten)]
-    pub(super) fit: Fit,
+    pub(super) fit: JudgedFit,
     /// Whether a search from the true system ended at a higher likelihood.
     pub(super) missed: bool,
 }
@@ -68,7 +68,7 @@ fn judged(
     modes: &[ModeEstimate; 3],
 ) -> Result<Likelihood, TaskError> {
     let truth = simulator.aircraft.modes;
-    let mut judged = Fit::new(fit, modes, &truth);
+    let mut judged = JudgedFit::new(fit, modes, &truth);
     let under_truth = evaluated(pair, &fit.model, fit.hold)?;
     judged.chi_squared = under_truth.chi_squared.per_degree_of_freedom();
     // The intervals of the real modes from the likelihood itself, where they have an end.

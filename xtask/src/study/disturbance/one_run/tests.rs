@@ -39,5 +39,5 @@ fn doubts_go_by_their_names() {
         }),
         ReconstructionDoubt::LevelsNotSettled { updates: 4 },
     ];
-    assert_eq!(kinds(&doubts), ["LevelsNotSettled", "NoExcitation"]);
+    assert_eq!(doubt_names(&doubts), ["LevelsNotSettled", "NoExcitation"]);
 }

@@ -1,12 +1,12 @@
 use super::*;
 use crate::study::disturbance::Excitation;
-use crate::study::fit::Fit;
+use crate::study::fit::JudgedFit;
 
 const SIZES: PerMode = [0.001, 0.5, 2.0];
 
 fn fit(roll: f64, doubts: &[&str]) -> Likelihood {
     Likelihood {
-        fit: Fit {
+        fit: JudgedFit {
             errors: [1.0, roll, 0.1],
             scores: [1.0, -2.0, 3.0, -3.0],
             covered: [true, roll < 0.05, false],

@@ -1,13 +1,13 @@
 use super::*;
 use crate::shared::noisy_flights::Excitation;
-use crate::study::fit::{Fit, LOST};
+use crate::study::fit::{JudgedFit, LOST};
 use crate::study::noise::one_run::Likelihood;
 
 const KIND: Kind = Kind { excitation: Excitation::White, signal_to_noise: 100 };
 
 fn likelihood(error: f64, chi_squared: f64) -> Likelihood {
     Likelihood {
-        fit: Fit {
+        fit: JudgedFit {
             errors: [error, 2.0 * error, 3.0 * error],
             scores: [1.0, -2.0, 3.0, -4.0],
             covered: [true, error < 2.0, false],
