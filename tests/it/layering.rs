@@ -31,7 +31,6 @@ const ALLOWED: [(&str, &[&str]); 14] = [
             "poly",
             "reconstruct",
             "report",
-            "transmode",
         ],
     ),
     ("tests", &[]),

@@ -1,31 +1,31 @@
-//! `cargo xtask bench`: how fast and how accurate the fits are, beside what others do on the same data in the same run.
+//! `cargo xtask bench`: how fast and how accurate the fits are, beside what others do on the same
+//! data in the same run.
 
 mod accuracy;
 mod exact;
 mod growth;
 mod limit;
 mod machine;
-mod memory;
 mod noise;
 mod ours;
 mod paper;
 mod peak;
 mod peers;
 mod records;
-pub(crate) mod row;
-mod slope;
 mod speed;
 mod stream;
+mod times;
 mod timing;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use report::{Block, Document};
 
 use crate::TaskError;
-use crate::page::{Page, Pictures};
+use crate::shared::page::{Page, Pictures};
+use crate::shared::parallel::progress;
 use peers::Peers;
 
 /// Measure speed, accuracy, growth and memory of the fits.
@@ -51,7 +51,8 @@ pub(crate) struct Args {
     #[arg(long, conflicts_with = "only")]
     update: bool,
 
-    /// Read the record in this folder in blocks, fit it, and print time and memory as JSON: what the growth group runs as a process of its own.
+    /// Read the record in this folder in blocks, fit it, and print time and memory as JSON: what
+    /// the growth group runs as a process of its own.
     #[arg(long, value_name = "DIR", hide = true, exclusive = true)]
     stream: Option<PathBuf>,
 }
@@ -99,10 +100,7 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
     let chosen = chosen_groups(args.only.as_deref())?;
     let target = root.join("target");
     std::fs::create_dir_all(&target).map_err(|source| TaskError::io(&target, source))?;
-    let bar = ProgressBar::new(chosen.len() as u64).with_style(
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} {msg}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
+    let bar = progress(chosen.len(), "{elapsed} {msg}");
     let bench = prepare(&target, args, bar)?;
     let mut document = introduction(args, &bench);
     for (id, measure) in chosen {

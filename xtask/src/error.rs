@@ -7,6 +7,8 @@ use std::process::ExitCode;
 pub(crate) enum TaskError {
     #[error("{}: {source}", place.display())]
     Io { place: PathBuf, source: std::io::Error },
+    #[error("{}: not written: {source}", file.display())]
+    Write { file: PathBuf, source: std::io::Error },
     #[error("the tree is not tidy:\n  {}", faults.join("\n  "))]
     Untidy { faults: Vec<String> },
     #[error("there is no part called {given:?}; the parts are {}", known.join(", "))]
@@ -19,8 +21,6 @@ pub(crate) enum TaskError {
     Stale { file: PathBuf },
     #[error("docs/errata.md and the checks disagree: {}", faults.join("; "))]
     Errata { faults: Vec<String> },
-    #[error("{0}")]
-    Output(#[from] transmode::CommandError),
 }
 
 impl TaskError {

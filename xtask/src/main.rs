@@ -1,9 +1,10 @@
-//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise and disturbances, keep the tree tidy.
+//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise and
+//! disturbances, keep the tree tidy.
 
 mod bench;
 mod error;
-mod page;
 mod reproduce;
+mod shared;
 mod study;
 mod tidy;
 
@@ -28,7 +29,8 @@ enum Task {
     Reproduce(reproduce::Args),
     Bench(bench::Args),
     Study(study::Args),
-    /// Check what the compiler cannot: equation marks against docs/equations.md, the shape of source files.
+    /// Check what the compiler cannot: equation marks against docs/equations.md, the shape of
+    /// source files.
     Tidy,
 }
 

@@ -1,4 +1,5 @@
-//! `cargo xtask reproduce`: the paper's examples, figures and eigenvalues, beside what the paper prints.
+//! `cargo xtask reproduce`: the paper's examples, figures and eigenvalues, beside what the paper
+//! prints.
 
 mod aircraft_model;
 mod beyond;
@@ -7,28 +8,28 @@ mod composite_models;
 mod errata;
 mod example_4_1;
 mod example_4_2;
-pub(crate) mod flight;
 mod iir_models;
 mod picture;
 mod reconstruction;
-pub(crate) mod reference;
 mod results;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
-use report::{Block, Column, Document, Table, html, markdown, png, svg};
-use transmode::write_whole;
+use reconstruct::{AsPrinted, AsPrintedOptions, Record, as_printed};
+use report::{Block, Column, Document, Table, html, markdown, svg};
 
 use crate::TaskError;
+use crate::shared::page::{Page, Pictures, write_figures, write_whole};
+use crate::shared::paper_aircraft::PaperAircraft;
+use crate::shared::parallel::progress;
 use check::{Check, Verdict};
-use flight::Flight;
 
 /// Reproduce the paper: its examples, its four figures, its reconstructed eigenvalues.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// Only this part: example-4-1, example-4-2, aircraft, figures-1-2, figure-3, figure-4 or beyond.
+    /// Only this part: example-4-1, example-4-2, aircraft, figures-1-2, figure-3, figure-4 or
+    /// beyond.
     #[arg(long, value_name = "ID")]
     only: Option<String>,
 
@@ -53,7 +54,26 @@ pub(crate) struct Part {
     blocks: Vec<Block>,
 }
 
-type Build = fn(&Flight) -> Result<Part, TaskError>;
+/// The example of part VI, which several parts of the reproduction look at: the paper's aircraft,
+/// its records, and what the printed method makes of them.
+pub(crate) struct AircraftExample {
+    aircraft: PaperAircraft,
+    /// Aileron record, rudder record.
+    records: [Record; 2],
+    result: AsPrinted,
+}
+
+impl AircraftExample {
+    fn compute() -> Result<Self, TaskError> {
+        let aircraft = PaperAircraft::new()?;
+        let records = aircraft.paper_records()?;
+        let result = as_printed(&records, &AsPrintedOptions::default())
+            .map_err(TaskError::computation("reconstruction"))?;
+        Ok(Self { aircraft, records, result })
+    }
+}
+
+type Build = fn(&AircraftExample) -> Result<Part, TaskError>;
 
 /// The parts in the paper's order and what goes beyond it, and what `--only` calls them.
 const PARTS: [(&str, Build); 7] = [
@@ -68,17 +88,14 @@ const PARTS: [(&str, Build); 7] = [
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {
     let chosen = chosen_parts(args.only.as_deref())?;
-    let bar = ProgressBar::new(chosen.len() as u64 + 2).with_style(
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
+    let bar = progress(chosen.len() + 2, "{msg}");
     bar.set_message("records");
-    let flight = Flight::simulate()?;
+    let example = AircraftExample::compute()?;
     bar.inc(1);
     let mut parts = Vec::new();
     for (id, build) in chosen {
         bar.set_message(id);
-        parts.push(build(&flight)?);
+        parts.push(build(&example)?);
         bar.inc(1);
     }
     let document = compose(&parts)?;
@@ -93,9 +110,9 @@ pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), T
     } else {
         bar.set_message("figures and reports");
         let folder = args.out.clone().unwrap_or_else(|| root.join("target/reproduce"));
-        write_results(&folder, &document, &results::json(&checks, &flight)?)?;
+        write_results(&folder, &document, &results::json(&checks, &example)?)?;
         if args.update {
-            write_docs(root, &document)?;
+            committed(&document).write(&root.join("docs"), "figures", Pictures::Vector)?;
         }
         bar.finish_and_clear();
         say(out, &summary(&checks))?;
@@ -151,8 +168,8 @@ fn compose(parts: &[Part]) -> Result<Document, TaskError> {
     Ok(document)
 }
 
-/// The checks for a reader: what is printed, what comes out. Errors are told as the bound that they keep, so that the text does not
-/// depend on a machine's rounding.
+/// The checks for a reader: what is printed, what comes out. Errors are told as the bound that they
+/// keep, so that the text does not depend on a machine's rounding.
 fn check_table(checks: &[Check]) -> Result<Table, TaskError> {
     let header = ["check", "paper", "computed", "error below", "verdict", "note"].map(Column::left);
     let mut table = Table::new("The paper beside this computation", header);
@@ -190,42 +207,23 @@ fn counts(checks: &[&Check]) -> String {
 }
 
 fn write_results(folder: &Path, document: &Document, results: &str) -> Result<(), TaskError> {
-    std::fs::create_dir_all(folder).map_err(|source| TaskError::io(folder, source))?;
-    for figure in document.figures() {
-        let picture = svg::render(figure).map_err(TaskError::computation("figures"))?;
-        let pixels = png::render(&picture, 2.0).map_err(TaskError::computation("figures"))?;
-        write(&folder.join(format!("{}.svg", figure.id)), picture.as_bytes())?;
-        write(&folder.join(format!("{}.png", figure.id)), &pixels)?;
-    }
+    write_figures(document, folder, Pictures::Both)?;
     let page = html::render(document).map_err(TaskError::computation("report"))?;
-    write(&folder.join("report.html"), page.as_bytes())?;
-    write(&folder.join("report.md"), markdown::render(document, "").as_bytes())?;
-    write(&folder.join("results.json"), results.as_bytes())
+    write_whole(&folder.join("report.html"), page.as_bytes())?;
+    write_whole(&folder.join("report.md"), markdown::render(document, "").as_bytes())?;
+    write_whole(&folder.join("results.json"), results.as_bytes())
 }
 
-const COMMITTED: &str = "docs/reproduction.md";
-
-fn committed_text(document: &Document) -> String {
-    format!(
-        "<!-- Written by `cargo xtask reproduce --update`. -->\n\n{}",
-        markdown::render(document, "figures")
-    )
-}
-
-fn write_docs(root: &Path, document: &Document) -> Result<(), TaskError> {
-    let figures = root.join("docs/figures");
-    std::fs::create_dir_all(&figures).map_err(|source| TaskError::io(&figures, source))?;
-    for figure in document.figures() {
-        let picture = svg::render(figure).map_err(TaskError::computation("figures"))?;
-        write(&figures.join(format!("{}.svg", figure.id)), picture.as_bytes())?;
-    }
-    write(&root.join(COMMITTED), committed_text(document).as_bytes())
+/// The page under docs.
+fn committed(document: &Document) -> Page<'_> {
+    Page { file: "reproduction.md", command: "cargo xtask reproduce --update", document }
 }
 
 fn check_committed(root: &Path, document: &Document) -> Result<(), TaskError> {
-    let file = root.join(COMMITTED);
+    let page = committed(document);
+    let file = root.join("docs").join(page.file);
     let text = std::fs::read_to_string(&file).map_err(|source| TaskError::io(&file, source))?;
-    if text.replace("\r\n", "\n") != committed_text(document) {
+    if text.replace("\r\n", "\n") != page.text("figures") {
         return Err(TaskError::Stale { file });
     }
     for figure in document.figures() {
@@ -238,10 +236,6 @@ fn check_committed(root: &Path, document: &Document) -> Result<(), TaskError> {
         }
     }
     Ok(())
-}
-
-fn write(file: &Path, bytes: &[u8]) -> Result<(), TaskError> {
-    Ok(write_whole(file, bytes, &mut std::io::sink())?)
 }
 
 fn say(out: &mut dyn Write, text: &str) -> Result<(), TaskError> {

@@ -3,32 +3,25 @@
 //! | file | what it does |
 //! |---|---|
 //! | `noise.rs`, `disturbance.rs` | the studies: what is varied, how records are made, what is asked of the methods, what is written |
-//! | `campaign.rs`, `runs.rs` | from the command line through all runs to a page; what every study does alike |
-//! | `signals.rs`, `readings.rs`, `modes.rs` | random signals; records with noise; the modes that a method is to find |
-//! | `matching.rs`, `verdict.rs`, `averages.rs` | which eigenvalue stands for which mode, how far off it is, what many runs say |
+//! | `campaign.rs`, `kept_runs.rs` | what a study provides, and how it gets from the command line through all runs to a page |
+//! | `fit.rs`, `statistics.rs` | how far off one fit is and what it states about itself; what many say together |
+//! | `sections.rs` | what the documents have in common: sections, tables, figures of errors and coverage |
 
-mod averages;
 mod campaign;
 mod disturbance;
-pub(crate) mod look;
-mod matching;
-pub(crate) mod modes;
-pub(crate) mod noise;
-mod readings;
-mod runs;
-mod signals;
-pub(crate) mod verdict;
+mod fit;
+mod kept_runs;
+mod noise;
+mod sections;
+mod statistics;
 
 use std::io::Write;
 use std::path::Path;
 
 use clap::Subcommand;
 
-pub(crate) use averages::median;
-pub(crate) use runs::in_parallel;
-
 use crate::TaskError;
-use campaign::Extent;
+use campaign::{Extent, carry_out};
 use disturbance::DisturbanceStudy;
 use noise::NoiseStudy;
 
@@ -37,22 +30,22 @@ use noise::NoiseStudy;
 #[command(arg_required_else_help = true)]
 pub(crate) struct Args {
     #[command(subcommand)]
-    study: Study,
+    study: Which,
 }
 
 #[derive(Debug, Subcommand)]
-enum Study {
-    /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
+enum Which {
+    /// Errors, deviations and coverage of each method, for four excitations and four levels of
+    /// noise.
     Noise(Extent),
-    /// Errors, fit, coverage and doubts in gusts of four strengths, with and without a quiet record.
+    /// Errors, fit, coverage and doubts in gusts of four strengths, with and without a quiet
+    /// record.
     Disturbance(Extent),
 }
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {
     match &args.study {
-        Study::Noise(extent) => campaign::carry_out(&NoiseStudy::new()?, root, extent, out),
-        Study::Disturbance(extent) => {
-            campaign::carry_out(&DisturbanceStudy::new()?, root, extent, out)
-        }
+        Which::Noise(extent) => carry_out::<NoiseStudy>(root, extent, out),
+        Which::Disturbance(extent) => carry_out::<DisturbanceStudy>(root, extent, out),
     }
 }

@@ -1,4 +1,5 @@
-//! What the compiler cannot check: equation marks against docs/equations.md, and the shape of source files.
+//! What the compiler cannot check: equation marks against docs/equations.md, and the shape of
+//! source files.
 
 mod equations;
 mod sources;

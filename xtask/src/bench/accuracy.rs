@@ -1,4 +1,5 @@
-//! Group 2: how many digits the Gram matrix costs, held against Householder QR and against exact solutions.
+//! Group 2: how many digits the Gram matrix costs, held against Householder QR and against exact
+//! solutions.
 
 use num_complex::Complex;
 use poly::{MrootsOptions, Poly, mroots};
@@ -9,11 +10,12 @@ use report::{Block, Column, Table};
 
 use super::ours::{self, How, ModelOrders, PAPER};
 use super::peers::Answer;
-use super::records::{self, Excitation};
-use super::row::{Asked, Row, asked_and_reached, small, times};
+use super::records::{self, Surface};
+use super::times::{small, times};
 use super::{Bench, Group, exact};
 use crate::TaskError;
-use crate::reproduce::reference;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
+use crate::shared::reference;
 
 const PART: &str = "accuracy";
 
@@ -69,20 +71,18 @@ fn aircraft(bench: &Bench) -> Result<Vec<Block>, TaskError> {
             .map(|(i, name)| if i < 2 { Column::left(*name) } else { Column::right(*name) }),
     );
     let mut worst = [Worst::default(); 2];
-    for excitation in Excitation::ALL {
-        bench.say(format!("accuracy: noise-free, {}", excitation.name()));
-        let channels = records::record(excitation, SAMPLES)?;
-        let truth = reference::roots(&format!(
-            "/aircraft/as_printed/zeros_sideslip_{}",
-            excitation.name()
-        ))?;
+    for surface in Surface::ALL {
+        bench.say(format!("accuracy: noise-free, {}", surface.name()));
+        let channels = records::record(surface, SAMPLES)?;
+        let truth =
+            reference::roots(&format!("/aircraft/as_printed/zeros_sideslip_{}", surface.name()))?;
         for (output, sensor) in [(1, "roll rate"), (2, "yaw rate")] {
             let error = |how| {
                 let fit = ours::fit(&channels[0], &channels[output], PAPER, how)?;
                 roots_error(&fit.model.denominator(), &truth)
             };
             let judge = error(JUDGE)?;
-            let mut cells = vec![excitation.name().to_owned(), sensor.to_owned()];
+            let mut cells = vec![surface.name().to_owned(), sensor.to_owned()];
             for (worst, (_, how)) in worst.iter_mut().zip(JUDGED) {
                 let error = error(how)?;
                 worst.add(error, judge);
@@ -144,8 +144,8 @@ const POWERS: std::ops::RangeInclusive<i32> = 2..=12;
 /// Parts of the target that the model cannot explain, rms over rms.
 const UNEXPLAINED: [f64; 2] = [0.0, 1e-3];
 
-/// A slow wave with a little white noise on it: its shifted copies are as dependent as the noise is small. Errors of the parameters against
-/// the exact solution for the doubles given.
+/// A slow wave with a little white noise on it: its shifted copies are as dependent as the noise is
+/// small. Errors of the parameters against the exact solution for the doubles given.
 fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let header =
         ["planted condition", "unexplained", "condition found", "Gram", "Gram, one pass", "QR"];
@@ -194,17 +194,15 @@ fn planted(bench: &Bench) -> Result<Vec<Block>, TaskError> {
 
 /// Input and output whose regressors have about this condition number.
 ///
-/// The cosine's shifted copies span two dimensions with singular values of about sqrt(p N) / 2 each, the noise's p dimensions with
-/// e sqrt(N) each: the condition is sqrt(p) / (2 e).
+/// The cosine's shifted copies span two dimensions with singular values of about sqrt(p N) / 2
+/// each, the noise's p dimensions with e sqrt(N) each: the condition is sqrt(p) / (2 e).
 fn planted_record(condition: f64, unexplained: f64) -> [Vec<f64>; 2] {
     let [_, r, d] = PLANTED;
     let mut random = ChaCha8Rng::seed_from_u64(4);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
-    let parameters = f64::from(u32::try_from(r + d + 1).unwrap_or(u32::MAX));
-    let noise = parameters.sqrt() / (2.0 * condition);
-    let input: Vec<f64> = (0..PLANTED_SAMPLES)
-        .map(|k| (0.1 * f64::from(u32::try_from(k).unwrap_or(u32::MAX))).cos() + noise * normal())
-        .collect();
+    let noise = ((r + d + 1) as f64).sqrt() / (2.0 * condition);
+    let input: Vec<f64> =
+        (0..PLANTED_SAMPLES).map(|k| (0.1 * k as f64).cos() + noise * normal()).collect();
     let coefficients: Vec<f64> = (0..=r + d).map(|_| normal()).collect();
     let clean: Vec<f64> = (0..PLANTED_SAMPLES)
         .map(|k| {
@@ -214,7 +212,7 @@ fn planted_record(condition: f64, unexplained: f64) -> [Vec<f64>; 2] {
         })
         .collect();
     let square: f64 = clean.iter().map(|y| y * y).sum();
-    let rms = (square / clean.iter().map(|_| 1.0).sum::<f64>()).sqrt();
+    let rms = (square / clean.len() as f64).sqrt();
     let output = clean.into_iter().map(|y| y + unexplained * rms * normal()).collect();
     [input, output]
 }

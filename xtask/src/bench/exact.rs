@@ -1,14 +1,16 @@
-//! Least squares without rounding: the solution that a double-precision fit should have found, from the very doubles it was given.
+//! Least squares without rounding: the solution that a double-precision fit should have found, from
+//! the very doubles it was given.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-/// The minimiser of `|| X b - t ||`, rounded once at the end; `None` where the columns of X are dependent, a number is not finite or a result
-/// is not.
+/// The minimiser of `|| X b - t ||`, rounded once at the end; `None` where the columns of X are
+/// dependent, a number is not finite or a result is not.
 ///
-/// Every double is an integer times a power of two, so that the Gram matrix of `[X t]` is one of integers. Elimination without fractions (Bareiss 1968,
-/// here in Jordan's form: rows above the pivot are cleared too) ends with the determinant in every place of the diagonal, and by Cramer's
+/// Every double is an integer times a power of two, so that the Gram matrix of `[X t]` is one of
+/// integers. Elimination without fractions (Bareiss 1968, here in Jordan's form: rows above the
+/// pivot are cleared too) ends with the determinant in every place of the diagonal, and by Cramer's
 /// rule b_i is what stands beside it, over the determinant.
 pub(crate) fn least_squares(columns: &[&[f64]], target: &[f64]) -> Option<Vec<f64>> {
     let lowest = |signals: &[&[f64]]| {
@@ -31,8 +33,8 @@ pub(crate) fn least_squares(columns: &[&[f64]], target: &[f64]) -> Option<Vec<f6
     rows.iter().map(to_double).collect()
 }
 
-/// Brings `[G | b]` to `[det G I | det G G^-1 b]`, and returns det G; `None` if G is singular. G is positive semidefinite, so that a
-/// pivot vanishes only then.
+/// Brings `[G | b]` to `[det G I | det G G^-1 b]`, and returns det G; `None` if G is singular. G is
+/// positive semidefinite, so that a pivot vanishes only then.
 fn eliminate(rows: &mut [Vec<BigInt>]) -> Option<BigInt> {
     let mut before = BigInt::from(1);
     for k in 0..rows.len() {

@@ -6,13 +6,13 @@ use report::{
 
 use super::machine::free_bytes;
 use super::ours::{self, How, ModelOrders, PAPER};
-use super::records::{self, Excitation};
-use super::row::{Asked, Row, asked_and_reached, times};
-use super::slope::log_log_slope;
+use super::records::{self, Surface};
 use super::stream::{self, Streamed};
+use super::times::times;
 use super::timing::{Runs, Timing, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
 
 /// Lengths of the records that are held in memory.
 const LENGTHS: [usize; 4] = [10_000, 100_000, 1_000_000, 10_000_000];
@@ -74,7 +74,7 @@ impl Curve {
     }
 
     fn push(&mut self, x: usize, timing: &Timing) {
-        self.points.push((number(x), timing.median()));
+        self.points.push((x as f64, timing.median()));
     }
 }
 
@@ -107,7 +107,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     let [gram, fit, streamed, lstsq, plain] = &mut curves;
     for samples in LENGTHS {
         bench.say(format!("growth: N = {}", power(samples)));
-        let channels = records::with_noise(records::record(Excitation::Aileron, samples)?);
+        let channels = records::with_noise(records::record(Surface::Aileron, samples)?);
         let record = [channels[0].as_slice(), channels[1].as_slice()];
         let runs = if samples > 1_000_000 { Runs::FEW } else { Runs::MANY };
         gram.push(samples, &time(runs, || ours::gram(&layout, &record, 1))?);
@@ -125,8 +125,8 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
     for samples in lengths {
         match stream_one(bench, samples)? {
             Ok(Streamed { sums, solution, peak_bytes }) => {
-                summed.push((number(samples), sums.median()));
-                streamed.points.push((number(samples), sums.median() + solution.median()));
+                summed.push((samples as f64, sums.median()));
+                streamed.points.push((samples as f64, sums.median() + solution.median()));
                 solutions.push(solution.median());
                 peaks.extend(
                     peak_bytes.filter(|_| samples >= MEMORY_FROM).map(|bytes| (samples, bytes)),
@@ -171,7 +171,7 @@ fn with_length(bench: &Bench) -> Result<Vec<Block>, TaskError> {
 }
 
 fn with_columns(bench: &Bench) -> Result<Vec<Block>, TaskError> {
-    let channels = records::with_noise(records::record(Excitation::Aileron, COLUMNS_LENGTH)?);
+    let channels = records::with_noise(records::record(Surface::Aileron, COLUMNS_LENGTH)?);
     let record = [channels[0].as_slice(), channels[1].as_slice()];
     let mut curves = [
         Curve::new(Who::Gram),
@@ -244,7 +244,8 @@ fn add_peers(
     Ok(())
 }
 
-/// Writes a record to disk, fits it in another process, and removes it. The inner error says why there was no room for it.
+/// Writes a record to disk, fits it in another process, and removes it. The inner error says why
+/// there was no room for it.
 fn stream_one(bench: &Bench, samples: usize) -> Result<Result<Streamed, String>, TaskError> {
     /// What must stay free on the disk.
     const RESERVE: u64 = 1 << 30;
@@ -276,6 +277,23 @@ fn slope_row(what: &str, points: &[(f64, f64)], asked: Asked) -> Row {
     }
 }
 
+/// The least-squares slope of log(y) over log(x); `None` unless two different x and only positive
+/// values are given.
+///
+/// slope = sum (u - mean u)(v - mean v) / sum (u - mean u)^2, with u = log x and v = log y.
+fn log_log_slope(points: &[(f64, f64)]) -> Option<f64> {
+    if points.iter().any(|(x, y)| !(*x > 0.0 && *y > 0.0 && x.is_finite() && y.is_finite())) {
+        return None;
+    }
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let mean =
+        |part: fn(&(f64, f64)) -> f64| logs.iter().map(part).sum::<f64>() / logs.len() as f64;
+    let (u_mean, v_mean) = (mean(|log| log.0), mean(|log| log.1));
+    let along: f64 = logs.iter().map(|(u, _)| (u - u_mean).powi(2)).sum();
+    let across: f64 = logs.iter().map(|(u, v)| (u - u_mean) * (v - v_mean)).sum();
+    (along > 0.0).then(|| across / along)
+}
+
 /// Large counts as powers of ten, small ones in full.
 fn show_place(count: usize) -> String {
     if count < 10_000 { count.to_string() } else { power(count) }
@@ -297,7 +315,7 @@ fn memory_table(peaks: &[(usize, u64)]) -> Result<Block, TaskError> {
         [Column::right("N"), Column::right("record (MB)"), Column::right("peak memory (MB)")];
     let mut table = Table::new("Memory of the streaming process", header);
     for (samples, bytes) in peaks {
-        let record = 16e-6 * number(*samples);
+        let record = 16e-6 * *samples as f64;
         table
             .push([
                 power(*samples),
@@ -341,21 +359,17 @@ fn figure(id: &str, title: &str, caption: &str, x: &str, curves: &[Curve]) -> Fi
 
 /// A count as a power of ten, where it is one.
 fn power(count: usize) -> String {
-    format!("{:e}", number(count))
+    format!("{:e}", count as f64)
 }
 
 fn megabytes(bytes: u64) -> f64 {
-    u32::try_from(bytes / 1000).map_or(f64::INFINITY, |kilobytes| f64::from(kilobytes) / 1000.0)
-}
-
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::INFINITY, f64::from)
+    (bytes / 1000) as f64 / 1000.0
 }
 
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "places on the x axis are counts made into doubles by `number`"
+    reason = "places on the x axis are counts made into doubles"
 )]
 fn whole(place: f64) -> usize {
     place as usize

@@ -6,15 +6,16 @@ use hankel::{Column, Layout};
 
 use super::ours::{self, PAPER};
 use super::peak::fma_peak;
-use super::records::{self, Excitation};
-use super::row::{Asked, Row, asked_and_reached};
+use super::records::{self, Surface};
 use super::timing::{Runs, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
 
 const SAMPLES: usize = 1_000_000;
 
-/// Floating-point operations of one compensated product: two fused multiply-adds, a subtraction and an addition.
+/// Floating-point operations of one compensated product: two fused multiply-adds, a subtraction and
+/// an addition.
 const FLOPS_PER_PRODUCT: f64 = 6.0;
 
 /// Neighbouring lags that the kernel sums together.
@@ -24,7 +25,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     bench.say("limit: peak");
     let peak = fma_peak()?;
     bench.say("limit: Gram matrices");
-    let channels = records::record(Excitation::Aileron, SAMPLES)?;
+    let channels = records::record(Surface::Aileron, SAMPLES)?;
     let record = [channels[0].as_slice(), &channels[1], &channels[2]];
     let cases = [
         ("composite fit, 54 regressors and target", ours::cfi_layout(PAPER)?, 2),
@@ -36,7 +37,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
         let timing = time(Runs::MANY, || ours::gram(&layout, &record[..channels], 1))?;
         let work = lag_products(&layout);
         let rate = |products: usize| {
-            FLOPS_PER_PRODUCT * number(products) * number(SAMPLES) / timing.median()
+            FLOPS_PER_PRODUCT * products as f64 * SAMPLES as f64 / timing.median()
         };
         let show = |fraction: f64| format!("{:.0} %", 100.0 * fraction);
         rows.push(Row::new(
@@ -81,7 +82,8 @@ struct Work {
     padded: usize,
 }
 
-/// Counts the pairs of channels and the lags between their columns, each once, whichever comes first.
+/// Counts the pairs of channels and the lags between their columns, each once, whichever comes
+/// first.
 fn lag_products(layout: &Layout) -> Work {
     let columns = layout.columns();
     let mut lags: BTreeSet<(usize, usize, isize)> = BTreeSet::new();
@@ -104,10 +106,6 @@ fn lag_products(layout: &Layout) -> Work {
 fn between(a: &Column, b: &Column) -> (usize, usize, isize) {
     let (a, b) = if (a.channel, a.lag) <= (b.channel, b.lag) { (a, b) } else { (b, a) };
     (a.channel, b.channel, b.lag - a.lag)
-}
-
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::NAN, f64::from)
 }
 
 #[cfg(test)]

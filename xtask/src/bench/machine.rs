@@ -39,8 +39,8 @@ fn today() -> Option<String> {
 
 /// Year, month and day in the Gregorian calendar, so many days after 1970-01-01.
 ///
-/// Years are counted from March, so that the leap day is a year's last. Source: H. Hinnant, chrono-Compatible Low-Level Date
-/// Algorithms, 2021, `civil_from_days`.
+/// Years are counted from March, so that the leap day is a year's last. Source: H. Hinnant,
+/// chrono-Compatible Low-Level Date Algorithms, 2021, `civil_from_days`.
 fn civil_date(days: i64) -> (i64, i64, i64) {
     let shifted = days + 719_468;
     let era = shifted.div_euclid(146_097);

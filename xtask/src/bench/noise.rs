@@ -1,12 +1,13 @@
 //! Group 6: from raw records with noise to modes with confidence.
 
-use super::row::{Asked, Row, TimeRow, asked_and_reached, times_table};
+use reconstruct::{Method, Options, Reconstruction, reconstruct};
+
+use super::times::{TimeRow, times_table};
 use super::timing::{Runs, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
-use crate::study::noise::Excitation;
-use crate::study::noise::flights::{Pair, Simulator};
-use reconstruct::{Method, Options, Reconstruction, reconstruct};
+use crate::shared::asked::{Asked, Row, asked_and_reached};
+use crate::shared::noisy_flights::{Excitation, Pair, Simulator};
 
 const SEED: u64 = 1;
 /// Samples of the long records.
@@ -14,7 +15,7 @@ const MANY: usize = 1_000_000;
 
 pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     let simulator = Simulator::new()?;
-    let short = |ratio| simulator.fly_at(Excitation::White, ratio, SEED);
+    let short = |ratio| simulator.fly(Excitation::White, ratio, SEED);
     let (clear, noisy) = (short(100.0)?, short(10.0)?);
     bench.say("noise: records of 2000 samples");
     let modes = |pair: &Pair, method| time(Runs::MANY, || modes(pair, method));

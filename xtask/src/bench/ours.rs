@@ -16,7 +16,8 @@ pub(crate) fn structure([l, r, d]: ModelOrders) -> Result<Structure, TaskError> 
     Ok(Structure::new(orders, ConstantTerm::Omitted))
 }
 
-/// The columns of the paper's regressors and the target, in two channels: pseudo input, pseudo output.
+/// The columns of the paper's regressors and the target, in two channels: pseudo input, pseudo
+/// output.
 pub(crate) fn cfi_layout([l, r, d]: ModelOrders) -> Result<Layout, TaskError> {
     let lag = |n: usize| isize::try_from(n).map_err(TaskError::computation("layout"));
     let mut columns = Vec::new();
@@ -42,7 +43,8 @@ pub(crate) fn gram(layout: &Layout, record: &[&[f64]], threads: usize) -> Result
 /// How a fit is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum How {
-    /// As it comes: from the Gram matrix in doubled precision, refined on the data where that brings anything.
+    /// As it comes: from the Gram matrix in doubled precision, refined on the data where that
+    /// brings anything.
     Gram { threads: usize },
     /// From the Gram matrix alone: one pass over the data.
     OnePass,

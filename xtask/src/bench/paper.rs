@@ -1,16 +1,18 @@
 //! Group 5: the paper's own fits and its whole reconstruction.
 
+use reconstruct::{AsPrintedOptions, as_printed};
+
 use super::ours::{self, How, PAPER};
-use super::row::{Asked, Row, TimeRow, asked_and_reached, times_table};
+use super::times::{TimeRow, times_table};
 use super::timing::{Runs, measure as time, show_seconds};
 use super::{Bench, Group};
 use crate::TaskError;
-use crate::reproduce::flight::Flight;
-use reconstruct::{AsPrintedOptions, as_printed};
+use crate::shared::asked::{Asked, Row, asked_and_reached};
+use crate::shared::paper_aircraft::PaperAircraft;
 
 pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     bench.say("paper: four fits");
-    let records = Flight::simulate()?.records;
+    let records = PaperAircraft::new()?.paper_records()?;
     let four = |how| {
         time(Runs::MANY, || {
             let mut fits = Vec::with_capacity(4);

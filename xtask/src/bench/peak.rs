@@ -1,4 +1,5 @@
-//! The machine's peak: how many fused multiply-adds one core does in a second when nothing else is in their way.
+//! The machine's peak: how many fused multiply-adds one core does in a second when nothing else is
+//! in their way.
 
 use std::hint::black_box;
 
@@ -7,8 +8,8 @@ use pulp::{Arch, Simd, WithSimd};
 use super::timing::{Runs, measure};
 use crate::TaskError;
 
-/// Chains of dependent multiply-adds side by side. Latency times throughput is 8 to 10 on present processors; 12 and the two constants
-/// just fit the 16 registers of AVX2.
+/// Chains of dependent multiply-adds side by side. Latency times throughput is 8 to 10 on present
+/// processors; 12 and the two constants just fit the 16 registers of AVX2.
 const CHAINS: usize = 12;
 /// Links of each chain in one run.
 const LINKS: u32 = 2_000_000;
@@ -24,13 +25,13 @@ pub(crate) struct Peak {
     pub(crate) instruction_set: &'static str,
 }
 
-/// Measures the peak of one core: the fastest run, since whatever slows a run down makes it no peak.
+/// Measures the peak of one core: the fastest run, since whatever slows a run down makes it no
+/// peak.
 pub(crate) fn fma_peak() -> Result<Peak, TaskError> {
     let arch = Arch::new();
     let timing = measure(Runs::MANY, || Ok(arch.dispatch(Chains)))?;
     let (_, lanes) = arch.dispatch(Chains);
-    let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
-    let flops = 2.0 * count(lanes) * count(CHAINS) * f64::from(LINKS) / timing.fastest();
+    let flops = 2.0 * lanes as f64 * CHAINS as f64 * f64::from(LINKS) / timing.fastest();
     Ok(Peak { flops, lanes, instruction_set: instruction_set(lanes) })
 }
 
@@ -44,7 +45,8 @@ fn instruction_set(lanes: usize) -> &'static str {
     }
 }
 
-/// x = a x + b in each chain. With a just below one the values stay near b / (1 - a) = 1: nothing overflows, nothing is subnormal.
+/// x = a x + b in each chain. With a just below one the values stay near b / (1 - a) = 1: nothing
+/// overflows, nothing is subnormal.
 struct Chains;
 
 impl WithSimd for Chains {
@@ -73,7 +75,7 @@ mod tests {
     #[test]
     fn the_chains_do_the_arithmetic_that_is_counted() {
         let (sum, lanes) = Arch::new().dispatch(Chains);
-        let count = f64::from(u32::try_from(lanes * CHAINS).unwrap());
+        let count = (lanes * CHAINS) as f64;
         // Every chain stays at its fixed point, 1.
         assert!((sum / count - 1.0).abs() < 1e-6, "{sum} over {lanes} lanes");
     }

@@ -141,7 +141,8 @@ fn environment(folder: &Path) -> Result<PathBuf, String> {
         }
     }
     let python = found().ok_or("the virtual environment has no interpreter")?;
-    // One after the other: where SLICOT has no wheel, numpy and scipy are still worth having. What is missing is told by the script.
+    // One after the other: where SLICOT has no wheel, numpy and scipy are still worth having. What
+    // is missing is told by the script.
     for packages in [&["numpy", "scipy"][..], &["ctrlsys"]] {
         let _ = finished(
             Command::new(&python)

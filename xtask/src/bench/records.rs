@@ -1,4 +1,5 @@
-//! The records that everything is measured on: the paper's aircraft, excited through one surface, made block by block.
+//! The records that everything is measured on: the paper's aircraft, excited through one surface,
+//! made block by block.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -11,7 +12,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 use crate::TaskError;
-use crate::reproduce::flight::sampled_aircraft;
+use crate::shared::paper_aircraft::{PaperAircraft, SEEDS, SURFACES};
 
 const PART: &str = "records";
 
@@ -23,52 +24,32 @@ pub(crate) type Channels = [Vec<f64>; 3];
 
 /// The surface that moves, as the number of the system's input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Excitation {
+pub(crate) enum Surface {
     Aileron,
     Rudder,
 }
 
-impl Excitation {
+impl Surface {
     pub(crate) const ALL: [Self; 2] = [Self::Aileron, Self::Rudder];
 
-    fn input(self) -> usize {
-        match self {
-            Self::Aileron => 0,
-            Self::Rudder => 1,
-        }
-    }
-
     pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Aileron => "aileron",
-            Self::Rudder => "rudder",
-        }
-    }
-
-    /// The same seeds as the reproduction of the paper has.
-    fn seed(self) -> u64 {
-        match self {
-            Self::Aileron => 1,
-            Self::Rudder => 2,
-        }
+        SURFACES[self as usize]
     }
 }
 
-/// A flight from rest that goes on for as long as samples are asked for. White Gaussian excitation of unit variance.
-pub(crate) struct Flight {
+/// A record from rest that goes on for as long as samples are asked for. White Gaussian excitation
+/// of unit variance, with the seeds of the paper's records.
+pub(crate) struct EndlessRecord {
     system: StateSpace<Discrete>,
     state: DVector<f64>,
     random: ChaCha8Rng,
 }
 
-impl Flight {
-    pub(crate) fn new(excitation: Excitation) -> Result<Self, TaskError> {
-        let aircraft = sampled_aircraft()?.discrete;
-        let system = aircraft
-            .subsystem(&[0, 1, 2], &[excitation.input()])
-            .map_err(TaskError::computation(PART))?;
+impl EndlessRecord {
+    pub(crate) fn new(surface: Surface) -> Result<Self, TaskError> {
+        let system = PaperAircraft::new()?.driven_by(surface as usize)?;
         let state = DVector::zeros(system.order());
-        Ok(Self { system, state, random: ChaCha8Rng::seed_from_u64(excitation.seed()) })
+        Ok(Self { system, state, random: ChaCha8Rng::seed_from_u64(SEEDS[surface as usize]) })
     }
 
     /// The next samples.
@@ -86,11 +67,11 @@ impl Flight {
 }
 
 /// A noise-free record.
-pub(crate) fn record(excitation: Excitation, samples: usize) -> Result<Channels, TaskError> {
-    let mut flight = Flight::new(excitation)?;
+pub(crate) fn record(surface: Surface, samples: usize) -> Result<Channels, TaskError> {
+    let mut record = EndlessRecord::new(surface)?;
     let mut channels: Channels = Default::default();
     for block in blocks(samples) {
-        for (channel, part) in channels.iter_mut().zip(flight.next(block)?) {
+        for (channel, part) in channels.iter_mut().zip(record.next(block)?) {
             channel.extend(part);
         }
     }
@@ -101,8 +82,8 @@ pub(crate) fn record(excitation: Excitation, samples: usize) -> Result<Channels,
 pub(crate) fn with_noise(mut channels: Channels) -> Channels {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     for channel in &mut channels {
-        let count: f64 = channel.iter().map(|_| 1.0).sum();
-        let level = 0.01 * (channel.iter().map(|x| x * x).sum::<f64>() / count).sqrt();
+        let square = channel.iter().map(|x| x * x).sum::<f64>() / channel.len() as f64;
+        let level = 0.01 * square.sqrt();
         for x in channel {
             let noise: f64 = StandardNormal.sample(&mut random);
             *x += level * noise;
@@ -111,7 +92,8 @@ pub(crate) fn with_noise(mut channels: Channels) -> Channels {
     channels
 }
 
-/// Writes channels as raw little-endian doubles, one file each, and returns the files' names as text.
+/// Writes channels as raw little-endian doubles, one file each, and returns the files' names as
+/// text.
 pub(crate) fn write(
     folder: &Path,
     name: &str,
@@ -127,7 +109,8 @@ pub(crate) fn write(
     Ok(files)
 }
 
-/// Writes a noise-free record of sideslip and roll rate, made block by block, so that its length is not limited by the memory.
+/// Writes a noise-free record of sideslip and roll rate, made block by block, so that its length is
+/// not limited by the memory.
 pub(crate) fn write_long(
     folder: &Path,
     samples: usize,
@@ -135,9 +118,9 @@ pub(crate) fn write_long(
 ) -> Result<[PathBuf; 2], TaskError> {
     let paths = ["input.f64", "output.f64"].map(|name| folder.join(name));
     let mut files = [create(&paths[0])?, create(&paths[1])?];
-    let mut flight = Flight::new(Excitation::Aileron)?;
+    let mut record = EndlessRecord::new(Surface::Aileron)?;
     for block in blocks(samples) {
-        let channels = flight.next(block)?;
+        let channels = record.next(block)?;
         for ((file, path), channel) in files.iter_mut().zip(&paths).zip(&channels) {
             put(file, path, channel)?;
         }

@@ -6,11 +6,12 @@ use report::Block;
 
 use super::ours::{self, How, PAPER};
 use super::peers::Answer;
-use super::records::{self, Channels, Excitation};
-use super::row::{Asked, Row, TimeRow, asked_and_reached, times, times_table};
+use super::records::{self, Channels, Surface};
+use super::times::{TimeRow, speedup, times, times_table};
 use super::timing::{Runs, Timing, measure as time};
 use super::{Bench, Group};
 use crate::TaskError;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
 
 const SAMPLES: usize = 1_000_000;
 /// Block rows of the Hankel matrices; with three channels 60 and 120 rows.
@@ -18,7 +19,7 @@ const BLOCK_ROWS: [usize; 2] = [20, 40];
 
 pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     bench.say("speed: a million samples");
-    let clean = records::record(Excitation::Aileron, SAMPLES)?;
+    let clean = records::record(Surface::Aileron, SAMPLES)?;
     let noisy = records::with_noise(clean.clone());
     let mut blocks = composite(bench, &clean, &noisy)?;
     blocks.extend(block_hankel(bench, &noisy)?);
@@ -61,8 +62,8 @@ fn composite(bench: &Bench, clean: &Channels, noisy: &Channels) -> Result<Vec<Bl
     let mut asked = Vec::new();
     for (record, fit) in [("with noise", &noisy_one), ("noise-free", &clean_one)] {
         let over = |peer| format!("fit, {record}, over {peer}");
-        asked.push(Row::speedup(over("numpy.linalg.lstsq"), 40.0, &lstsq, fit));
-        asked.push(Row::speedup(over("numpy's Gram and Cholesky"), 2.5, &plain, fit));
+        asked.push(speedup(over("numpy.linalg.lstsq"), 40.0, &lstsq, fit));
+        asked.push(speedup(over("numpy's Gram and Cholesky"), 2.5, &plain, fit));
     }
     for (what, one, two) in [
         ("Gram matrix", &gram_one, &gram_two),
@@ -137,7 +138,7 @@ fn block_hankel(bench: &Bench, noisy: &Channels) -> Result<Vec<Block>, TaskError
         let (cholesky, fast) = (peer("ib01ad", "C"), peer("ib01ad", "F"));
         let pieces = peer("ib01md-blocks", "C");
         let quicker = quicker(&cholesky, &fast);
-        asked.push(Row::speedup(
+        asked.push(speedup(
             format!("{block_rows} block rows, 1 thread, over IB01AD"),
             2.5,
             quicker,

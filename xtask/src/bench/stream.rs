@@ -1,4 +1,5 @@
-//! A fit of a record that is read from disk in blocks, in a process of its own: what it takes in time and memory.
+//! A fit of a record that is read from disk in blocks, in a process of its own: what it takes in
+//! time and memory.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -8,7 +9,6 @@ use std::process::Command;
 use cfi_ident::Accumulator;
 use serde::{Deserialize, Serialize};
 
-use super::memory::peak_bytes;
 use super::ours::{self, PAPER};
 use super::timing::{Runs, Timing, measure as time};
 use crate::TaskError;
@@ -82,6 +82,19 @@ pub(crate) fn child(folder: &Path, out: &mut dyn Write) -> Result<(), TaskError>
     };
     let text = serde_json::to_string(&line).map_err(TaskError::computation(PART))?;
     writeln!(out, "{text}").map_err(|source| TaskError::io("standard output", source))
+}
+
+/// The largest memory that this process has had, in bytes as Linux counts it; `None` where the
+/// system does not tell.
+fn peak_bytes() -> Option<u64> {
+    high_water_mark(&std::fs::read_to_string("/proc/self/status").ok()?)
+}
+
+/// The line `VmHWM:  1234 kB` of /proc/self/status, in bytes.
+fn high_water_mark(status: &str) -> Option<u64> {
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let number = line.trim().strip_suffix("kB")?.trim();
+    number.parse::<u64>().ok()?.checked_mul(1024)
 }
 
 /// Reads the two channels side by side and sums their lag products.

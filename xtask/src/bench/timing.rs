@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use report::format_significant;
 
 use crate::TaskError;
+use crate::shared::averages::median;
 
 /// How often to repeat a measurement. One run before the first is not counted: it warms the caches.
 #[derive(Clone, Copy, Debug)]
@@ -46,12 +47,7 @@ impl Timing {
     }
 
     pub(crate) fn median(&self) -> f64 {
-        let middle = self.seconds.len() / 2;
-        if self.seconds.len() % 2 == 1 {
-            self.seconds[middle]
-        } else {
-            f64::midpoint(self.seconds[middle - 1], self.seconds[middle])
-        }
+        median(&self.seconds)
     }
 
     /// What the work takes when nothing gets in its way.

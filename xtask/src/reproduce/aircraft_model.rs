@@ -6,23 +6,30 @@ use num_complex::Complex;
 use report::{Block, Column, Table, format_conjugate_pair, format_significant};
 
 use super::check::{Check, Print};
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 const PART: &str = "aircraft";
 
-pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
+pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
     let fault = TaskError::computation::<String>(PART);
     let row_major =
         |matrix: &nalgebra::DMatrix<f64>| matrix.transpose().iter().copied().collect::<Vec<_>>();
     let rudder = |scaling| {
-        flight.model.control_matrix(Surface::Rudder, scaling).iter().copied().collect::<Vec<_>>()
+        example
+            .aircraft
+            .model
+            .control_matrix(Surface::Rudder, scaling)
+            .iter()
+            .copied()
+            .collect::<Vec<_>>()
     };
     let column = |pointer: &str, index: usize| -> Result<Vec<f64>, TaskError> {
         Ok(reference::matrix(pointer)?.into_iter().skip(index).step_by(2).collect())
     };
-    let full = flight
+    let full = example
+        .aircraft
         .model
         .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &LateralState::ALL)
         .map_err(|error| fault(error.to_string()))?;
@@ -40,14 +47,18 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
     let checks = vec![
         Check::computed(
             "aircraft-a",
-            &row_major(&flight.model.a()),
+            &row_major(&example.aircraft.model.a()),
             &reference::matrix("/aircraft/as_printed/A")?,
             1e-15,
             "A of (46), row by row",
         ),
         Check::computed(
             "aircraft-b-aileron",
-            flight.model.control_matrix(Surface::Aileron, SideForceScaling::AsPrinted).as_slice(),
+            example
+                .aircraft
+                .model
+                .control_matrix(Surface::Aileron, SideForceScaling::AsPrinted)
+                .as_slice(),
             &column("/aircraft/as_printed/B", 0)?,
             4e-15,
             "B of the aileron",
@@ -70,7 +81,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         ),
         Check::computed(
             "aircraft-sampled-a",
-            &row_major(flight.discrete.a()),
+            &row_major(example.aircraft.discrete.a()),
             &reference::matrix("/aircraft/as_printed/Ad")?,
             1e-15,
             "A of the system sampled every 0.1 s",
@@ -107,14 +118,15 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         title: "The aircraft of part VI",
         introduction: "The lateral dynamics (46) with the derivatives that the paper prints. Entries are compared with 60-digit arithmetic.",
         checks,
-        blocks: vec![mode_table(flight)?],
+        blocks: vec![mode_table(example)?],
     })
 }
 
 /// The modes of the true system, for the reader.
-fn mode_table(flight: &Flight) -> Result<Block, TaskError> {
+fn mode_table(example: &AircraftExample) -> Result<Block, TaskError> {
     let fault = TaskError::computation(PART);
-    let full = flight
+    let full = example
+        .aircraft
         .model
         .state_space(&Surface::ALL, SideForceScaling::AsPrinted, &LateralState::ALL)
         .map_err(|error| fault(error.to_string()))?;

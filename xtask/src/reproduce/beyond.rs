@@ -1,4 +1,5 @@
-//! Beyond the paper: what noise does to the printed method, and what this project makes of noisy records.
+//! Beyond the paper: what noise does to the printed method, and what this project makes of noisy
+//! records.
 
 use num_complex::Complex;
 use reconstruct::{ComplexEstimate, Method, Options};
@@ -8,16 +9,15 @@ use report::{
 };
 
 use super::check::Check;
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
-use crate::study::look::Look;
-use crate::study::modes::{MODES, TrueModes};
-use crate::study::noise::flights::{Pair, Simulator};
-use crate::study::noise::methods::{apply, most_likely, printed_errors};
-use crate::study::noise::{Excitation, METHODS, RATIO_AXIS};
-use crate::study::verdict::holds_in_ellipse;
-use crate::study::{in_parallel, median};
+use crate::shared::averages::median;
+use crate::shared::matching::{holds_in_ellipse, with_conjugate};
+use crate::shared::methods::{Look, METHODS, RATIO_AXIS, apply, most_likely, printed_errors};
+use crate::shared::modes::{MODES, TrueModes};
+use crate::shared::noisy_flights::{Excitation, Simulator};
+use crate::shared::parallel::{all_cores, in_parallel};
+use crate::shared::reference;
 
 const PART: &str = "beyond the paper";
 /// Decades from hardly any noise to what cheap sensors have.
@@ -32,11 +32,11 @@ const RATIO: f64 = 10.0;
 type Errors = [Option<[f64; 3]>; 2];
 
 /// The modes of one reconstruction: spiral, roll, Dutch roll.
-type Found = [ComplexEstimate; 3];
+type EstimatedModes = [ComplexEstimate; 3];
 
-pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
+pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
     let simulator = Simulator::new()?;
-    let truth = simulator.modes();
+    let truth = simulator.aircraft.modes;
     let curves = against_ratio(&simulator)?;
     let found = reconstructions(&simulator)?;
     Ok(Part {
@@ -44,21 +44,24 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         introduction: "The printed method needs records without noise. Maximum likelihood, started from the intersection of the records' signal subspaces, knows neither \
                        the excitations nor the noise levels either, and says how certain its eigenvalues are. White excitation, 2000 samples, white noise in every \
                        sensor. docs/study-noise.md has other excitations and more runs.",
-        checks: checks(flight, &truth, &found)?,
+        checks: checks(example, &truth, &found)?,
         blocks: vec![error_figure(&curves), error_table(&curves)?, plane_figure(&truth, &found)],
     })
 }
 
-fn checks(flight: &Flight, truth: &TrueModes, found: &[Found]) -> Result<Vec<Check>, TaskError> {
-    let pair = Pair { records: flight.records.clone(), levels: Vec::new() };
-    let options = Options::default();
-    let noise_free = apply(&pair, Method::MaximumLikelihood, options.order)
+fn checks(
+    example: &AircraftExample,
+    truth: &TrueModes,
+    found: &[EstimatedModes],
+) -> Result<Vec<Check>, TaskError> {
+    let Options { noise, order, .. } = Options::default();
+    let noise_free = apply(&example.records, Method::MaximumLikelihood, noise, order)
         .ok_or_else(|| TaskError::computation(PART)("nothing from records without noise"))?;
     let eigenvalues: Vec<Complex<f64>> = noise_free
         .modes
         .iter()
         .map(|found| found.mode.eigenvalue)
-        .flat_map(|s| if s.im.abs() > 0.0 { vec![s, s.conj()] } else { vec![s] })
+        .flat_map(with_conjugate)
         .collect();
     let held = found.iter().filter(|run| holds_in_ellipse(&run[2], truth.dutch_roll)).count();
     let all = found.len() as f64;
@@ -84,30 +87,28 @@ fn checks(flight: &Flight, truth: &TrueModes, found: &[Found]) -> Result<Vec<Che
 fn against_ratio(simulator: &Simulator) -> Result<Vec<(f64, Vec<Errors>)>, TaskError> {
     let cases: Vec<(f64, u64)> =
         RATIOS.iter().flat_map(|ratio| (1..=PAIRS).map(|seed| (*ratio, seed))).collect();
-    let truth = simulator.modes();
-    let errors = in_parallel(&cases, |(ratio, seed)| -> Result<Errors, TaskError> {
-        let pair = simulator.fly_at(Excitation::White, *ratio, *seed)?;
-        let likely = most_likely(&pair, &truth).map(|(_, modes)| {
+    let truth = simulator.aircraft.modes;
+    let errors = in_parallel(&cases, all_cores(), |(ratio, seed)| {
+        let pair = simulator.fly(Excitation::White, *ratio, *seed)?;
+        let likely = most_likely(&pair.records, &truth).map(|(_, modes)| {
             let truth = truth.list();
             [0, 1, 2].map(|mode| (modes[mode].continuous.value - truth[mode]).norm())
         });
-        Ok([printed_errors(&pair, &truth), likely])
-    });
-    let errors = errors.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok([printed_errors(&pair.records, &truth), likely])
+    })?;
     let by_ratio = errors.chunks(usize::try_from(PAIRS).unwrap_or(1));
     Ok(RATIOS.into_iter().zip(by_ratio.map(<[_]>::to_vec)).collect())
 }
 
-fn reconstructions(simulator: &Simulator) -> Result<Vec<Found>, TaskError> {
-    let truth = simulator.modes();
+fn reconstructions(simulator: &Simulator) -> Result<Vec<EstimatedModes>, TaskError> {
+    let truth = simulator.aircraft.modes;
     let seeds: Vec<u64> = (1..=RECONSTRUCTIONS).collect();
-    let found = in_parallel(&seeds, |seed| {
-        let pair = simulator.fly_at(Excitation::White, RATIO, *seed)?;
-        let (_, modes) = most_likely(&pair, &truth)
+    in_parallel(&seeds, all_cores(), |seed| {
+        let pair = simulator.fly(Excitation::White, RATIO, *seed)?;
+        let (_, modes) = most_likely(&pair.records, &truth)
             .ok_or_else(|| TaskError::computation(PART)(format!("nothing from seed {seed}")))?;
         Ok(modes.map(|mode| mode.continuous))
-    });
-    found.into_iter().collect()
+    })
 }
 
 /// The middle error of one method and mode; `None` where no pair gave anything.
@@ -162,7 +163,7 @@ fn error_table(curves: &[(f64, Vec<Errors>)]) -> Result<Block, TaskError> {
 }
 
 /// The s-plane with all reconstructions: the upper half, the Dutch roll, the real axis.
-fn plane_figure(truth: &TrueModes, found: &[Found]) -> Block {
+fn plane_figure(truth: &TrueModes, found: &[EstimatedModes]) -> Block {
     let caption = "Fifty reconstructions at a signal to noise ratio of 10 (20 dB). The ellipse around the true eigenvalue has the mean of the covariances that the \
                    reconstructions state: about one in twenty lies outside. For the two real modes it is an interval.";
     let xy = |s: &Complex<f64>| (s.re, s.im);

@@ -153,7 +153,8 @@ impl Check {
         check.without_print("(a figure)")
     }
 
-    /// A check of a multiset of complex numbers. The print gives real and imaginary parts, conjugates once with a positive imaginary part.
+    /// A check of a multiset of complex numbers. The print gives real and imaginary parts,
+    /// conjugates once with a positive imaginary part.
     pub(crate) fn roots(
         id: &'static str,
         print: Print,
@@ -234,7 +235,8 @@ fn agrees_with_print(printed: &str, value: f64) -> bool {
         return false;
     };
     let unit = 10f64.powi(-i32::try_from(decimals(printed)).unwrap_or(i32::MAX));
-    // Half a unit of the last printed digit; the tiny surplus is for a value that lies on the edge in decimal but not in binary.
+    // Half a unit of the last printed digit; the tiny surplus is for a value that lies on the edge
+    // in decimal but not in binary.
     (value - number).abs() <= 0.5 * unit * (1.0 + 1e-9)
 }
 
@@ -262,7 +264,8 @@ fn entries(values: &[f64]) -> String {
     values.iter().map(|value| fixed(*value, 4)).collect::<Vec<_>>().join(", ")
 }
 
-/// Largest distance after pairing each computed root with its nearest reference root, each used once.
+/// Largest distance after pairing each computed root with its nearest reference root, each used
+/// once.
 pub(crate) fn multiset_distance(computed: &[Complex<f64>], reference: &[Complex<f64>]) -> f64 {
     let mut left = reference.to_vec();
     let mut worst = length_penalty(computed.len(), reference.len());

@@ -6,15 +6,15 @@ use reconstruct::{Identification, IdentificationOptions, identify};
 use report::{Axis, Figure, Panel, Points, Stems};
 
 use super::check::{Check, Print, multiset_distance};
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 const PART: &str = "composite models";
 
-pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
-    let found = &flight.result.identifications;
-    let constant_term = ranks_with_constant_term(flight)?;
+pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
+    let found = &example.result.identifications;
+    let constant_term = ranks_with_constant_term(example)?;
     let parameters = found[0].fit.model.structure().parameter_count();
     let mut checks = vec![
         Check::exact(
@@ -52,7 +52,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         let zeros = reference::roots(&format!("/aircraft/as_printed/zeros_sideslip_{surface}"))?;
         // D(q) has a root at 0, and those of the sideslip's numerator, for both pseudo outputs.
         let expected: Vec<_> = std::iter::once(Complex::new(0.0, 0.0)).chain(zeros).collect();
-        let [roll, yaw] = of_record(flight, record) else {
+        let [roll, yaw] = of_record(example, record) else {
             return Err(TaskError::Computation {
                 part: PART,
                 message: "two pseudo outputs are needed".to_owned(),
@@ -67,7 +67,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
             1e-10,
             "roots of D: 0 and the zeros of the sideslip's transfer function",
         ));
-        for (found, (id, output)) in of_record(flight, record).iter().zip(MARKOV_CHECKS[record]) {
+        for (found, (id, output)) in of_record(example, record).iter().zip(MARKOV_CHECKS[record]) {
             checks.push(markov_check(id, found, surface, output)?);
         }
     }
@@ -77,8 +77,8 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
                        a root at 0; the FIR factor is left with four nonzero Markov parameters.",
         checks,
         blocks: vec![
-            figure(flight, 0, "figure-1", "Composite models, aileron moving").into(),
-            figure(flight, 1, "figure-2", "Composite models, rudder moving").into(),
+            figure(example, 0, "figure-1", "Composite models, aileron moving").into(),
+            figure(example, 1, "figure-2", "Composite models, rudder moving").into(),
         ],
     })
 }
@@ -89,8 +89,9 @@ const MARKOV_CHECKS: [[(&str, &str); 2]; 2] = [
     [("cfi-markov-p-rudder", "roll_rate"), ("cfi-markov-r-rudder", "yaw_rate")],
 ];
 
-/// D(q) T(q) is a polynomial of degree four: h_-4 .. h_-1 are the coefficients of the pseudo output's numerator over the leading one of the
-/// sideslip's, and all other Markov parameters are zero. Compared relative to the largest.
+/// D(q) T(q) is a polynomial of degree four: h_-4 .. h_-1 are the coefficients of the pseudo
+/// output's numerator over the leading one of the sideslip's, and all other Markov parameters are
+/// zero. Compared relative to the largest.
 fn markov_check(
     id: &'static str,
     found: &Identification,
@@ -112,9 +113,9 @@ fn markov_check(
 }
 
 /// The identifications of one record: to the roll rate, to the yaw rate.
-pub(super) fn of_record(flight: &Flight, record: usize) -> &[Identification] {
-    let outputs = flight.records[record].channels().len() - 1;
-    &flight.result.identifications[record * outputs..(record + 1) * outputs]
+pub(super) fn of_record(example: &AircraftExample, record: usize) -> &[Identification] {
+    let outputs = example.records[record].channels().len() - 1;
+    &example.result.identifications[record * outputs..(record + 1) * outputs]
 }
 
 fn composite_poles(found: &Identification) -> Vec<Complex<f64>> {
@@ -125,11 +126,11 @@ fn composite_poles(found: &Identification) -> Vec<Complex<f64>> {
         .collect()
 }
 
-fn ranks_with_constant_term(flight: &Flight) -> Result<Vec<String>, TaskError> {
+fn ranks_with_constant_term(example: &AircraftExample) -> Result<Vec<String>, TaskError> {
     let mut options = IdentificationOptions::default();
     options.structure = Structure::new(options.structure.orders, ConstantTerm::Included);
     let parameters = options.structure.parameter_count();
-    let pairs = flight.records.iter().flat_map(|record| [(record, 1), (record, 2)]);
+    let pairs = example.records.iter().flat_map(|record| [(record, 1), (record, 2)]);
     pairs
         .map(|(record, output)| {
             let found =
@@ -153,11 +154,11 @@ fn poles_on_circle(found: &[Identification]) -> usize {
     poles.filter(|pole| (pole.norm() - 1.0).abs() < ON_CIRCLE).count()
 }
 
-fn figure(flight: &Flight, record: usize, id: &str, title: &str) -> Figure {
+fn figure(example: &AircraftExample, record: usize, id: &str, title: &str) -> Figure {
     let caption = "Left: roots of D. Middle: the same near z = 1. Right: Markov parameters h_i of the FIR factor; all but four \
                    are zero to rounding.";
     let mut figure = Figure::new(id, title, caption).columns(3);
-    for found in of_record(flight, record) {
+    for found in of_record(example, record) {
         let name = format!("{} to {}", found.input, found.output);
         let poles = || {
             Points::poles(

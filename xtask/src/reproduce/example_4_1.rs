@@ -9,9 +9,9 @@ use poly::{MrootsOptions, Poly, mroots};
 use reconstruct::{Statement, TransmissibilityPair, containment};
 
 use super::check::{Check, Print};
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 const PART: &str = "Example 4.1";
 
@@ -27,9 +27,9 @@ fn system() -> [DMatrix<BigInt>; 3] {
     ]
 }
 
-/// Computes and checks the numerators of paper eq. (22) and paper eq. (23), the determinant of paper eq. (24) and its roots,
-/// paper eq. (25).
-pub(crate) fn build(_: &Flight) -> Result<Part, TaskError> {
+/// Computes and checks the numerators of paper eq. (22) and paper eq. (23), the determinant of
+/// paper eq. (24) and its roots, paper eq. (25).
+pub(crate) fn build(_: &AircraftExample) -> Result<Part, TaskError> {
     let fault = TaskError::computation(PART);
     let [a, b, c] = system();
     let found = resolvent_numerators(&a, &b, &c, &DMatrix::from_element(2, 2, BigInt::ZERO))

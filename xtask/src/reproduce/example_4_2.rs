@@ -9,9 +9,9 @@ use poly::{MrootsOptions, Poly, Rational, mroots};
 use reconstruct::{TransmissibilityPair, containment};
 
 use super::check::{Check, Print};
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 const PART: &str = "Example 4.2";
 
@@ -31,7 +31,8 @@ fn system() -> [DMatrix<Exact>; 3] {
     ]
 }
 
-/// What the paper prints of one transmissibility: its name in reference.json and the checks' ids, and its coefficients.
+/// What the paper prints of one transmissibility: its name in reference.json and the checks' ids,
+/// and its coefficients.
 struct Printed {
     id: &'static str,
     output: usize,
@@ -89,7 +90,7 @@ const DENOMINATORS: [Printed; 2] = [
     },
 ];
 
-pub(crate) fn build(_: &Flight) -> Result<Part, TaskError> {
+pub(crate) fn build(_: &AircraftExample) -> Result<Part, TaskError> {
     let [a, b, c] = system();
     let found = resolvent_numerators(&a, &b, &c, &DMatrix::from_element(3, 2, Exact::zero()))
         .map_err(TaskError::computation(PART))?;

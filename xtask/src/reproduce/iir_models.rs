@@ -6,9 +6,9 @@ use report::{Figure, Panel, Points};
 
 use super::check::{Check, Print};
 use super::composite_models::of_record;
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 /// Names of sensors and surfaces in reference.json, by the records' and channels' order.
 const SURFACES: [&str; 2] = ["aileron", "rudder"];
@@ -19,10 +19,10 @@ const ZERO_CHECKS: [[&str; 2]; 2] =
 const POLE_CHECKS: [[&str; 2]; 2] =
     [["iir-poles-p-aileron", "iir-poles-r-aileron"], ["iir-poles-p-rudder", "iir-poles-r-rudder"]];
 
-pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
-    let mut checks = vec![multiplied(flight)?, rudder_differs(flight)];
+pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
+    let mut checks = vec![multiplied(example)?, rudder_differs(example)];
     for (record, surface) in SURFACES.into_iter().enumerate() {
-        for ((found, output), index) in of_record(flight, record).iter().zip(OUTPUTS).zip(0..) {
+        for ((found, output), index) in of_record(example, record).iter().zip(OUTPUTS).zip(0..) {
             let zeros =
                 reference::roots(&format!("/aircraft/as_printed/zeros_{output}_{surface}"))?;
             let poles =
@@ -43,7 +43,7 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
             ));
         }
     }
-    let orders: Vec<_> = flight
+    let orders: Vec<_> = example
         .result
         .identifications
         .iter()
@@ -62,13 +62,13 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
         introduction: "ERA with n_s = n_u = 6 on both halves of the FIR factor, multiplied by 1/D, zeros and poles within 1e-6 of each other cancelled. \
                        The paper shows these as pole-zero maps; the numbers here are held against 60-digit arithmetic.",
         checks,
-        blocks: vec![figure(flight).into()],
+        blocks: vec![figure(example).into()],
     })
 }
 
 /// Part V.C says that the IIR part is added, part VI that it is multiplied. The records decide.
-fn multiplied(flight: &Flight) -> Result<Check, TaskError> {
-    let found = &flight.result.identifications[0];
+fn multiplied(example: &AircraftExample) -> Result<Check, TaskError> {
+    let found = &example.result.identifications[0];
     let numerator = reference::numbers("/aircraft/as_printed/gamma_roll_rate_aileron")?;
     let denominator = reference::numbers("/aircraft/as_printed/gamma_sideslip_aileron")?;
     // Any place will do where neither is near a pole.
@@ -103,10 +103,10 @@ fn multiplied(flight: &Flight) -> Result<Check, TaskError> {
 }
 
 /// The paper writes .|delta a for the transmissibilities of both records.
-fn rudder_differs(flight: &Flight) -> Check {
+fn rudder_differs(example: &AircraftExample) -> Check {
     let z = Complex::from_polar(1.0, 1.0);
     let value =
-        |record| of_record(flight, record)[0].transmissibility.to_rational().eval_complex(z);
+        |record| of_record(example, record)[0].transmissibility.to_rational().eval_complex(z);
     let (aileron, rudder) = (value(0), value(1));
     let word =
         if (aileron - rudder).norm() > 1e-3 * aileron.norm() { "different" } else { "the same" };
@@ -120,14 +120,14 @@ fn rudder_differs(flight: &Flight) -> Check {
     )
 }
 
-fn figure(flight: &Flight) -> Figure {
+fn figure(example: &AircraftExample) -> Figure {
     let caption = "One row for each record; beside each whole map the neighbourhood of z = 1. The yaw rate of the rudder record has one more zero \
                    outside the map, at 15.6.";
     let mut figure =
         Figure::new("figure-3", "Rational models of the four transmissibilities", caption)
             .columns(4);
     for (record, surface) in SURFACES.into_iter().enumerate() {
-        for found in of_record(flight, record) {
+        for found in of_record(example, record) {
             let name = format!("{} to {}, {surface} moving", found.input, found.output);
             figure = figure
                 .with(with_points(Panel::z_plane(name), found).zoom((-2.0, 2.0), (-1.3, 1.3)))

@@ -1,6 +1,8 @@
-//! Whether two SVG pictures show the same: equal text, and coordinates that differ by less than anyone can see.
+//! Whether two SVG pictures show the same: equal text, and coordinates that differ by less than
+//! anyone can see.
 
-/// Pixels. Other processors round the last digits of a computation differently, and a coordinate with two decimals may then flip.
+/// Pixels. Other processors round the last digits of a computation differently, and a coordinate
+/// with two decimals may then flip.
 const INVISIBLE: f64 = 0.05;
 
 pub(super) fn same(a: &str, b: &str) -> bool {

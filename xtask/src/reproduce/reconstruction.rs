@@ -1,4 +1,5 @@
-//! Figure 4: the differences of the transmissibilities, the zeros that they share, and the eigenvalues.
+//! Figure 4: the differences of the transmissibilities, the zeros that they share, and the
+//! eigenvalues.
 
 use aircraft::{Eigenpair, ModeShape, name_modes};
 use lti::StateSpace;
@@ -12,18 +13,19 @@ use report::{
 };
 
 use super::check::{Check, Print};
-use super::flight::Flight;
-use super::{Part, reference};
+use super::{AircraftExample, Part};
 use crate::TaskError;
+use crate::shared::reference;
 
 const PART: &str = "reconstruction";
 
-/// How far a reconstructed eigenvalue may be from the true one. The limit is what was asked for; the note says what is reached.
+/// How far a reconstructed eigenvalue may be from the true one. The limit is what was asked for;
+/// the note says what is reached.
 const EIGENVALUE_TOLERANCE: f64 = 1e-6;
 
-pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
-    let shared = flight.result.shared.values();
-    let eigenvalues: Vec<_> = flight.result.modes.iter().map(|mode| mode.eigenvalue).collect();
+pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
+    let shared = example.result.shared.values();
+    let eigenvalues: Vec<_> = example.result.modes.iter().map(|mode| mode.eigenvalue).collect();
     let printed_zeros = [("0.9788", "0.1672"), ("0.9469", "0"), ("0.9998", "0")];
     let printed_eigenvalues = [("-0.0706", "1.6917"), ("-0.0016", "0"), ("-0.5456", "0")];
     let mut checks = vec![
@@ -45,29 +47,32 @@ pub(crate) fn build(flight: &Flight) -> Result<Part, TaskError> {
             EIGENVALUE_TOLERANCE,
             "log(z)/T of the shared zeros, against the eigenvalues of A",
         ),
-        order(flight)?,
-        sideslip_needed(flight)?,
+        order_in_print(example)?,
+        sideslip_needed(example)?,
     ];
-    for (difference, (id, outputs)) in
-        flight.result.differences.iter().zip([("extra-roots-p", [0, 1]), ("extra-roots-r", [0, 2])])
+    for (difference, (id, outputs)) in example
+        .result
+        .differences
+        .iter()
+        .zip([("extra-roots-p", [0, 1]), ("extra-roots-r", [0, 2])])
     {
-        checks.push(extra_roots(flight, difference, id, outputs)?);
+        checks.push(extra_roots(example, difference, id, outputs)?);
     }
     Ok(Part {
         title: "Figure 4: differences, shared zeros, eigenvalues",
         introduction: "The transmissibilities of the aileron record minus those of the rudder record. Their common zeros are the eigenvalues of the sampled \
                        aircraft; the other zeros are invariant zeros of the system from the two surfaces to the two sensors.",
         checks,
-        blocks: vec![figure(flight)?, result_table(flight)?],
+        blocks: vec![figure(example)?, result_table(example)?],
     })
 }
 
 /// The paper lists four zeros, then four eigenvalues in another order.
-fn order(flight: &Flight) -> Result<Check, TaskError> {
+fn order_in_print(example: &AircraftExample) -> Result<Check, TaskError> {
     let nearest = |printed: f64| {
-        let real = flight.result.modes.iter().filter(|mode| mode.eigenvalue.im.abs() <= 0.0);
+        let real = example.result.modes.iter().filter(|mode| mode.eigenvalue.im.abs() <= 0.0);
         let distance = |mode: &&ReconstructedMode| {
-            (flight.result.shared.zeros[mode.shared].value - printed).norm()
+            (example.result.shared.zeros[mode.shared].value - printed).norm()
         };
         real.min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .map_or(f64::NAN, |mode| mode.eigenvalue.re)
@@ -86,16 +91,17 @@ fn order(flight: &Flight) -> Result<Check, TaskError> {
     ))
 }
 
-/// The abstract names two sensors. With roll rate and yaw rate alone there is one difference, and nothing to tell eigenvalues from its other zeros.
-fn sideslip_needed(flight: &Flight) -> Result<Check, TaskError> {
+/// The abstract names two sensors. With roll rate and yaw rate alone there is one difference, and
+/// nothing to tell eigenvalues from its other zeros.
+fn sideslip_needed(example: &AircraftExample) -> Result<Check, TaskError> {
     let fault = TaskError::computation::<ReconstructError>(PART);
     let (roll_rate, yaw_rate) = (1, 2);
     let identified = |record: &Record| {
         identify(record, roll_rate, yaw_rate, &IdentificationOptions::default()).map_err(fault)
     };
-    let [aileron, rudder] = &flight.records;
+    let [aileron, rudder] = &example.records;
     let zeros = difference_zeros(&identified(aileron)?, &identified(rudder)?).map_err(fault)?.len();
-    let order = flight.continuous.order();
+    let order = example.aircraft.continuous.order();
     let computed =
         if zeros == order { "roll rate, yaw rate" } else { "sideslip, roll rate, yaw rate" };
     Ok(Check::exact(
@@ -110,18 +116,22 @@ fn sideslip_needed(flight: &Flight) -> Result<Check, TaskError> {
     ))
 }
 
-/// What is left of a difference's zeros once the eigenvalues are taken, against the invariant zeros of the two-input system.
+/// What is left of a difference's zeros once the eigenvalues are taken, against the invariant zeros
+/// of the two-input system.
 fn extra_roots(
-    flight: &Flight,
+    example: &AircraftExample,
     difference: &Difference,
     id: &'static str,
     outputs: [usize; 2],
 ) -> Result<Check, TaskError> {
     let fault = TaskError::computation::<String>(PART);
     let zeros: Vec<_> = difference.zeros.iter().map(|zero| zero.value).collect();
-    let extra = containment(&flight.result.shared.values(), &zeros).extra;
-    let square: StateSpace<_> =
-        flight.discrete.subsystem(&outputs, &[0, 1]).map_err(|error| fault(error.to_string()))?;
+    let extra = containment(&example.result.shared.values(), &zeros).extra;
+    let square: StateSpace<_> = example
+        .aircraft
+        .discrete
+        .subsystem(&outputs, &[0, 1])
+        .map_err(|error| fault(error.to_string()))?;
     let invariant = square.invariant_zeros().map_err(|error| fault(error.to_string()))?;
     let invariant: Vec<_> = invariant.zeros.iter().map(|zero| zero.value).collect();
     let sensor = ["sideslip", "roll rate", "yaw rate"][outputs[1]];
@@ -131,10 +141,11 @@ fn extra_roots(
     Ok(Check::computed_roots(id, &extra, &invariant, 1e-8, &note))
 }
 
-/// The names of the reconstructed modes beside their shared zeros, told by what each mode looks like in the sensors.
-fn names(flight: &Flight) -> Result<Vec<(f64, f64, String)>, TaskError> {
+/// The names of the reconstructed modes beside their shared zeros, told by what each mode looks
+/// like in the sensors.
+fn names(example: &AircraftExample) -> Result<Vec<(f64, f64, String)>, TaskError> {
     let modes: Vec<_> =
-        flight.result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0).collect();
+        example.result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0).collect();
     let shape = |shape: &[Complex<f64>]| match shape {
         [sideslip, roll_rate, yaw_rate] => {
             Some(ModeShape::from_sensors(*sideslip, *roll_rate, *yaw_rate))
@@ -146,7 +157,7 @@ fn names(flight: &Flight) -> Result<Vec<(f64, f64, String)>, TaskError> {
         .map(|mode| Eigenpair { eigenvalue: mode.eigenvalue, shape: shape(&mode.shape) })
         .collect();
     let named = name_modes(&pairs).map_err(TaskError::computation(PART))?;
-    let place = |mode: &ReconstructedMode| flight.result.shared.zeros[mode.shared].value;
+    let place = |mode: &ReconstructedMode| example.result.shared.zeros[mode.shared].value;
     Ok(named
         .iter()
         .zip(modes)
@@ -154,7 +165,7 @@ fn names(flight: &Flight) -> Result<Vec<(f64, f64, String)>, TaskError> {
         .collect())
 }
 
-fn figure(flight: &Flight) -> Result<Block, TaskError> {
+fn figure(example: &AircraftExample) -> Result<Block, TaskError> {
     // 0.99984 is the spiral, 1 a zero of the difference for the roll rate alone.
     const CLOSEST: (f64, f64) = (0.9985, 1.0015);
     let caption = "One row for each pseudo output: the whole map, the neighbourhood of z = 1, and that of the spiral. Every true eigenvalue lies on a zero of both differences.";
@@ -164,12 +175,12 @@ fn figure(flight: &Flight) -> Result<Block, TaskError> {
         caption,
     )
     .columns(3);
-    let truth = flight.discrete.poles().map_err(TaskError::computation(PART))?;
+    let truth = example.aircraft.discrete.poles().map_err(TaskError::computation(PART))?;
     let eigenvalues: Vec<_> = truth.into_iter().map(|z| (z.re, z.im)).collect();
-    let names = names(flight)?;
-    for difference in &flight.result.differences {
-        let input = &flight.records[0].channels()[0].name;
-        let output = &flight.records[0].channels()[difference.output].name;
+    let names = names(example)?;
+    for difference in &example.result.differences {
+        let input = &example.records[0].channels()[0].name;
+        let output = &example.records[0].channels()[difference.output].name;
         let with_points = |panel: Panel| {
             panel
                 .with(Points::poles("pole", difference.poles.iter().map(|z| (z.re, z.im))))
@@ -194,13 +205,13 @@ fn figure(flight: &Flight) -> Result<Block, TaskError> {
     Ok(figure.into())
 }
 
-fn result_table(flight: &Flight) -> Result<Block, TaskError> {
+fn result_table(example: &AircraftExample) -> Result<Block, TaskError> {
     let fault = TaskError::computation(PART);
     let header =
         ["shared zero", "eigenvalue [rad/s]", "true eigenvalue [rad/s]", "frequency [rad/s]"];
     let mut table = Table::new("Reconstructed eigenvalues", header.map(Column::left));
-    let truth = flight.continuous.poles().map_err(|error| fault(error.to_string()))?;
-    for mode in flight.result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0) {
+    let truth = example.aircraft.continuous.poles().map_err(|error| fault(error.to_string()))?;
+    for mode in example.result.modes.iter().filter(|mode| mode.eigenvalue.im >= 0.0) {
         let text = |z: Complex<f64>| format_conjugate_pair(z.re, z.im, 7);
         let distance = |z: &&Complex<f64>| (*z - mode.eigenvalue).norm();
         let nearest = truth
@@ -210,7 +221,7 @@ fn result_table(flight: &Flight) -> Result<Block, TaskError> {
             .unwrap_or_default();
         table
             .push([
-                text(flight.result.shared.zeros[mode.shared].value),
+                text(example.result.shared.zeros[mode.shared].value),
                 text(mode.eigenvalue),
                 text(nearest),
                 format_significant(mode.eigenvalue.norm(), 5),

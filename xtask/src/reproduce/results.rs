@@ -4,8 +4,8 @@ use num_complex::Complex;
 use reconstruct::containment;
 use serde::Serialize;
 
+use super::AircraftExample;
 use super::check::Check;
-use super::flight::Flight;
 use crate::TaskError;
 
 #[derive(Serialize)]
@@ -21,17 +21,17 @@ struct Aircraft {
     true_eigenvalues: Vec<[f64; 2]>,
 }
 
-pub(crate) fn json(checks: &[&Check], flight: &Flight) -> Result<String, TaskError> {
+pub(crate) fn json(checks: &[&Check], example: &AircraftExample) -> Result<String, TaskError> {
     let pairs = |values: Vec<Complex<f64>>| values.into_iter().map(|z| [z.re, z.im]).collect();
-    let truth = flight.continuous.poles().map_err(TaskError::computation("aircraft"))?;
-    let eigenvalues: Vec<_> = flight.result.modes.iter().map(|mode| mode.eigenvalue).collect();
+    let truth = example.aircraft.continuous.poles().map_err(TaskError::computation("aircraft"))?;
+    let eigenvalues: Vec<_> = example.result.modes.iter().map(|mode| mode.eigenvalue).collect();
     // Each true eigenvalue in the place of the reconstructed one that is closest to it.
     let truth =
         containment(&eigenvalues, &truth).matched.into_iter().map(|(value, _)| value).collect();
     let results = Results {
         checks,
         aircraft: Aircraft {
-            shared_zeros: pairs(flight.result.shared.values()),
+            shared_zeros: pairs(example.result.shared.values()),
             eigenvalues: pairs(eigenvalues),
             true_eigenvalues: pairs(truth),
         },

@@ -1,40 +1,55 @@
-//! One study from the command line to its page: which cases, on how many threads, kept and written where.
+//! One study from the command line to its page: which cases, on how many threads, kept and written
+//! where.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use report::Document;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
-use super::runs::{self, Kept};
+use super::kept_runs;
 use crate::TaskError;
-use crate::page::{Page, Pictures};
+use crate::shared::page::{Page, Pictures};
+use crate::shared::parallel::{all_cores, progress};
 
-/// What a study does.
-pub(super) trait Campaign: Sync {
-    /// What one run leaves behind.
-    type Outcome: Kept;
+/// What a study provides. All else, from the command line through the runs to the page, is the same
+/// for every study.
+///
+/// A new study is this trait, a variant of [`Which`](super::Which), a line of [`run`](super::run),
+/// and the page under docs that its `--update` writes.
+pub(super) trait Study: Sized + Sync {
     /// The word after `cargo xtask study`.
     const NAME: &'static str;
+    /// Changes whenever the records or the methods change, so that no page mixes old and new runs.
+    const EDITION: u32;
     /// Seeds of each kind of record in the page under docs.
     const SEEDS: u64;
     /// Seeds with `--quick`.
     const QUICK_SEEDS: u64;
+    /// A kind of record: all that is varied but the seed. In JSON an object, without a field
+    /// `seed`.
+    type Kind: Copy + PartialEq + Send + Sync + Serialize + DeserializeOwned;
+    /// What one run leaves behind. In JSON an object, without a field `edition` or `case`.
+    type Outcome: Send + Serialize + DeserializeOwned;
 
-    /// All cases with seeds from 1 on. Seeds vary slowest, so that a study that was stopped has seen every kind of record.
-    fn cases(&self, seeds: u64) -> Vec<<Self::Outcome as Kept>::Case>;
+    /// What all runs need.
+    fn new() -> Result<Self, TaskError>;
 
-    /// One run.
-    fn run(&self, case: &<Self::Outcome as Kept>::Case) -> Result<Self::Outcome, TaskError>;
+    /// All kinds, in the order of the document.
+    fn kinds(&self) -> Vec<Self::Kind>;
 
-    /// What all runs say, in the order of the cases. `command` is what was typed.
-    fn document(
-        &self,
-        outcomes: &[Self::Outcome],
-        seeds: u64,
-        command: &str,
-    ) -> Result<Document, TaskError>;
+    /// One run, which depends on nothing but its kind and its seed.
+    fn run(&self, kind: Self::Kind, seed: u64) -> Result<Self::Outcome, TaskError>;
+
+    /// What all runs say. `command` is what was typed. [`sections`](super::sections) has what
+    /// documents have in common.
+    fn document(&self, runs: &Runs<Self>, seeds: u64, command: &str)
+    -> Result<Document, TaskError>;
 }
+
+/// All kinds of a study with the outcomes of their runs.
+pub(super) type Runs<S> = Vec<(<S as Study>::Kind, Vec<<S as Study>::Outcome>)>;
 
 /// How much of a study to do, and where it goes.
 #[derive(Debug, clap::Args)]
@@ -43,7 +58,8 @@ pub(super) struct Extent {
     #[arg(long, conflicts_with_all = ["seeds", "update"])]
     quick: bool,
 
-    /// Pairs of records of each kind; more seeds go on where fewer ended [default: 200 in the study of noise, 100 in that of disturbances].
+    /// Pairs of records of each kind; more seeds go on where fewer ended [default: those of the
+    /// study's page under docs].
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     seeds: Option<u64>,
 
@@ -51,7 +67,8 @@ pub(super) struct Extent {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
-    /// Where to keep the runs and write the page and its figures. Finished runs in it are not repeated [default: target/study].
+    /// Where to keep the runs and write the page and its figures. Finished runs in it are not
+    /// repeated [default: target/study].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
@@ -61,71 +78,58 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    fn seeds<C: Campaign>(&self) -> u64 {
-        if self.quick { C::QUICK_SEEDS } else { self.seeds.unwrap_or(C::SEEDS) }
+    fn seeds<S: Study>(&self) -> u64 {
+        if self.quick { S::QUICK_SEEDS } else { self.seeds.unwrap_or(S::SEEDS) }
     }
 
     fn threads(&self) -> usize {
-        self.threads.map_or_else(
-            || std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-            usize::from,
-        )
+        self.threads.map_or_else(all_cores, usize::from)
     }
 
     /// Where finished runs are kept, within the folder.
-    fn file<C: Campaign>(&self) -> String {
-        format!("{}{}.jsonl", C::NAME, if self.quick { "-quick" } else { "" })
+    fn file<S: Study>(&self) -> String {
+        format!("{}{}.jsonl", S::NAME, if self.quick { "-quick" } else { "" })
     }
 
     /// The command that makes the same document.
-    fn command<C: Campaign>(&self) -> String {
+    fn command<S: Study>(&self) -> String {
         let seeds = if self.quick {
             " --quick".to_owned()
         } else {
-            format!(" --seeds {}", self.seeds::<C>())
+            format!(" --seeds {}", self.seeds::<S>())
         };
         let update = if self.update { " --update" } else { "" };
-        format!("cargo xtask study {}{seeds}{update}", C::NAME)
+        format!("cargo xtask study {}{seeds}{update}", S::NAME)
     }
 }
 
 /// Runs what is not there yet and writes the page.
-pub(super) fn carry_out<C: Campaign>(
-    campaign: &C,
+pub(super) fn carry_out<S: Study>(
     root: &Path,
     extent: &Extent,
     out: &mut dyn Write,
 ) -> Result<(), TaskError> {
     let folder = extent.out.clone().unwrap_or_else(|| root.join("target/study"));
     std::fs::create_dir_all(&folder).map_err(|source| TaskError::io(&folder, source))?;
-    let seeds = extent.seeds::<C>();
-    let cases = campaign.cases(seeds);
-    let bar = ProgressBar::new(cases.len() as u64).with_style(
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} left {eta}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
-    let runs = extent.file::<C>();
-    let file = folder.join(&runs);
+    let seeds = extent.seeds::<S>();
+    let lines = extent.file::<S>();
+    let file = folder.join(&lines);
     if extent.quick && file.exists() {
         std::fs::remove_file(&file).map_err(|source| TaskError::io(&file, source))?;
     }
-    let outcomes = runs::collect(
-        &cases,
-        &file,
-        extent.threads(),
-        |case| campaign.run(case),
-        |done| bar.set_position(done as u64),
-    )?;
+    let study = S::new()?;
+    let bar = progress(0, "{elapsed} left {eta}");
+    let runs = kept_runs::collect(&study, seeds, &file, extent.threads(), &bar)?;
     bar.finish_and_clear();
-    let document = campaign.document(&outcomes, seeds, &extent.command::<C>())?;
+    let document = study.document(&runs, seeds, &extent.command::<S>())?;
     let (name, command) =
-        (format!("study-{}.md", C::NAME), format!("cargo xtask study {} --update", C::NAME));
+        (format!("study-{}.md", S::NAME), format!("cargo xtask study {} --update", S::NAME));
     let page = Page { file: &name, command: &command, document: &document };
     page.write(&folder, "", Pictures::Both)?;
     if extent.update {
         page.write(&root.join("docs"), "figures", Pictures::Vector)?;
     }
-    let text = format!("written to {}: {runs}, {name}, figures\n", folder.display());
+    let text = format!("written to {}: {lines}, {name}, figures\n", folder.display());
     out.write_all(text.as_bytes()).map_err(|source| TaskError::io("standard output", source))
 }
 

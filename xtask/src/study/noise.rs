@@ -1,55 +1,67 @@
-//! `cargo xtask study noise`: what the methods are worth on records with white noise, beside the information bound.
+//! `cargo xtask study noise`: what the methods are worth on records with white noise, beside the
+//! information bound.
 
-mod case;
 mod document;
 mod figures;
-pub(crate) mod flights;
-pub(crate) mod methods;
-mod outcome;
-mod statistics;
+mod one_run;
+mod summary;
 
 use report::Document;
+use serde::{Deserialize, Serialize};
 
-pub(crate) use case::Excitation;
-pub(crate) use figures::{METHODS, RATIO_AXIS};
-
-use super::campaign::Campaign;
+use super::campaign::{Runs, Study};
+use super::sections::sections;
 use crate::TaskError;
-use case::Case;
-use flights::Simulator;
-use outcome::Outcome;
+use crate::shared::noisy_flights::{Excitation, Simulator};
+use one_run::Outcome;
+use summary::Summary;
 
 /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
 pub(super) struct NoiseStudy {
     simulator: Simulator,
 }
 
-impl NoiseStudy {
-    pub(super) fn new() -> Result<Self, TaskError> {
-        Ok(Self { simulator: Simulator::new()? })
-    }
+/// What is varied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Kind {
+    excitation: Excitation,
+    /// Root mean square of each sensor's signal over that of its noise, see
+    /// [`Pair`](crate::shared::noisy_flights::Pair).
+    signal_to_noise: u32,
 }
 
-impl Campaign for NoiseStudy {
-    type Outcome = Outcome;
+const SIGNAL_TO_NOISE: [u32; 4] = [1000, 100, 30, 10];
+
+impl Study for NoiseStudy {
     const NAME: &'static str = "noise";
+    const EDITION: u32 = 3;
     const SEEDS: u64 = 200;
     const QUICK_SEEDS: u64 = 3;
+    type Kind = Kind;
+    type Outcome = Outcome;
 
-    fn cases(&self, seeds: u64) -> Vec<Case> {
-        case::cases(seeds)
+    fn new() -> Result<Self, TaskError> {
+        Ok(Self { simulator: Simulator::new()? })
     }
 
-    fn run(&self, case: &Case) -> Result<Outcome, TaskError> {
-        methods::run(&self.simulator, case)
+    fn kinds(&self) -> Vec<Kind> {
+        let levels = |excitation| {
+            SIGNAL_TO_NOISE.map(|signal_to_noise| Kind { excitation, signal_to_noise })
+        };
+        Excitation::ALL.into_iter().flat_map(levels).collect()
+    }
+
+    fn run(&self, kind: Kind, seed: u64) -> Result<Outcome, TaskError> {
+        one_run::run(&self.simulator, kind, seed)
     }
 
     fn document(
         &self,
-        outcomes: &[Outcome],
+        runs: &Runs<Self>,
         seeds: u64,
         command: &str,
     ) -> Result<Document, TaskError> {
-        document::compose(&statistics::summaries(outcomes), seeds, command)
+        let sections = sections(runs, |kind| kind.excitation.title(), Summary::of);
+        document::compose(&sections, seeds, command)
     }
 }

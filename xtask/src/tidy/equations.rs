@@ -104,7 +104,8 @@ fn documented_item(lines: &[&str], comment: usize) -> String {
                 .split(|c: char| !c.is_alphanumeric() && c != '_')
                 .filter(|word| !word.is_empty())
                 .collect();
-            // `pub const fn name`: the name follows the last of the keywords. A field or a variant has none.
+            // `pub const fn name`: the name follows the last of the keywords. A field or a variant
+            // has none.
             let keyword = words
                 .iter()
                 .take_while(|word| **word != "impl")

@@ -1,4 +1,5 @@
-//! The shape of source files: each starts with what it is for, and none holds two ideas' worth of lines.
+//! The shape of source files: each starts with what it is for, and none holds two ideas' worth of
+//! lines.
 
 use std::path::{Path, PathBuf};
 

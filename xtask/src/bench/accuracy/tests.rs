@@ -12,7 +12,8 @@ fn the_condition_is_about_what_is_planted() {
 
 #[test]
 fn the_exact_solution_is_that_of_the_fit() {
-    // Well conditioned and with a residual: the fit is right to a few units, if both mean the same equations.
+    // Well conditioned and with a residual: the fit is right to a few units, if both mean the same
+    // equations.
     let [input, output] = planted_record(1e2, 1e-3);
     let truth = exact_solution(&input, &output).unwrap();
     let fit = ours::fit(&input, &output, PLANTED, How::Qr).unwrap();

@@ -23,7 +23,8 @@ fn a_small_problem_by_hand() {
 
 #[test]
 fn nearly_dependent_columns_do_no_harm() {
-    // x_2 = x_1 + e with e = (2^-50, 0, -2^-50): t = 3 x_1 + 5 e = -2 x_1 + 5 x_2, and condition about 2^51.
+    // x_2 = x_1 + e with e = (2^-50, 0, -2^-50): t = 3 x_1 + 5 e = -2 x_1 + 5 x_2, and condition
+    // about 2^51.
     let e = 2.0_f64.powi(-50);
     let (first, second) = ([1.0, 1.0, 1.0], [1.0 + e, 1.0, 1.0 - e]);
     let target = [3.0 + 5.0 * e, 3.0, 3.0 - 5.0 * e];

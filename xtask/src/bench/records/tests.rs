@@ -8,9 +8,9 @@ fn blocks_make_up_the_record() {
 }
 
 #[test]
-fn a_flight_goes_on_where_it_stopped() {
-    let mut whole = Flight::new(Excitation::Rudder).unwrap();
-    let mut parts = Flight::new(Excitation::Rudder).unwrap();
+fn a_record_goes_on_where_it_stopped() {
+    let mut whole = EndlessRecord::new(Surface::Rudder).unwrap();
+    let mut parts = EndlessRecord::new(Surface::Rudder).unwrap();
     let [whole, _, _] = whole.next(300).unwrap();
     let [mut first, _, _] = parts.next(100).unwrap();
     let [second, _, _] = parts.next(200).unwrap();

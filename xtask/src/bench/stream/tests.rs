@@ -40,3 +40,13 @@ fn the_process_says_what_it_found() {
     );
     assert!(judge(b"").is_err());
 }
+
+#[test]
+fn the_mark_is_read() {
+    assert_eq!(
+        high_water_mark("VmPeak:\t  99 kB\nVmHWM:\t    12 kB\nVmRSS:\t 3 kB\n"),
+        Some(12_288)
+    );
+    assert_eq!(high_water_mark("VmPeak:\t  99 kB\n"), None);
+    assert_eq!(high_water_mark("VmHWM:\t many kB\n"), None);
+}

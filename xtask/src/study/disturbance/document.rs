@@ -1,13 +1,15 @@
-//! The study of disturbances as a document: what was asked and reached, figures, tables for each excitation.
+//! The study of disturbances as a document: what was asked and reached, figures, tables for each
+//! excitation.
 
 use report::{Block, Document};
 
-use super::figures::{self, present};
-use super::statistics::Summary;
-use super::tables;
+use super::summary::Summary;
+use super::{figures, tables};
 use crate::TaskError;
-use crate::bench::row::{Asked, Row, asked_and_reached};
-use crate::study::modes::PerMode;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
+use crate::shared::averages::quantile;
+use crate::shared::modes::PerMode;
+use crate::study::sections::{Section, sampling_error};
 
 /// The place of the fit with the quiet record among estimates, fits and results.
 const QUIET_ESTIMATE: usize = 3;
@@ -15,8 +17,8 @@ const QUIET_FIT: usize = 1;
 const QUIET_RESULT: usize = 3;
 
 /// The whole document. `sizes` are |s| of spiral, roll, Dutch roll; `command` is what was typed.
-pub(crate) fn compose(
-    summaries: &[Summary],
+pub(super) fn compose(
+    sections: &[Section<Summary>],
     sizes: PerMode,
     seeds: u64,
     command: &str,
@@ -30,9 +32,7 @@ pub(crate) fn compose(
         ))
         .with(Block::bullets([
             format!("command: `{command}`"),
-            format!("{seeds} flights of each kind; sampling error of the study itself: {:.0} % of each root mean square, {:.1} % of a coverage of 95 %",
-                100.0 / (2.0 * seeds as f64).sqrt(),
-                100.0 * (0.95 * 0.05 / seeds as f64).sqrt()),
+            format!("{seeds} flights of each kind; {}", sampling_error(seeds)),
             "gusts: white noise through a filter of first order with a corner at 1 rad/s (speed over scale of turbulence, 400 ft/s over 400 ft), moving on between \
              samples. A side gust g is an angle like sideslip and enters the state equations like -beta: x' = A x - a g, a the first column of A. The vane reads the sideslip \
              relative to the air, beta - g, as vanes do. Turbulence begins 60 s before each record, so that no record begins at rest"
@@ -55,30 +55,26 @@ pub(crate) fn compose(
              damping: there even the true spectrum does not make its ellipses honest"
                 .to_owned(),
         ]));
-    document.push(asked(summaries, sizes)?);
-    document.push(figures::errors(summaries));
-    document.push(figures::coverage(summaries));
-    for excitation in present(summaries) {
-        let chosen: Vec<&Summary> =
-            summaries.iter().filter(|summary| summary.kind.0 == excitation).collect();
-        document.push(Block::section(format!("Controls: {}", excitation.title())));
-        document.push(tables::errors(&chosen, sizes)?);
-        document.push(tables::confidence(&chosen)?);
-        document.push(tables::trust(&chosen)?);
+    document.push(asked(sections, sizes)?);
+    document.push(figures::errors(sections));
+    document.push(figures::coverage(sections));
+    for Section { title, summaries } in sections {
+        document.push(Block::section(format!("Controls: {title}")));
+        document.push(tables::errors(summaries, sizes)?);
+        document.push(tables::confidence(summaries)?);
+        document.push(tables::trust(summaries)?);
     }
     Ok(document)
 }
 
 /// The figures to reach, with the quiet record.
-fn asked(summaries: &[Summary], sizes: PerMode) -> Result<Block, TaskError> {
+fn asked(sections: &[Section<Summary>], sizes: PerMode) -> Result<Block, TaskError> {
     let mut rows = Vec::new();
-    for excitation in present(summaries) {
-        let title = excitation.title();
-        let chosen: Vec<&Summary> =
-            summaries.iter().filter(|summary| summary.kind.0 == excitation).collect();
+    for Section { title, summaries } in sections {
         let two = |value: f64| format!("{value:.2}");
         let whole = |part: f64| format!("{:.1} %", 100.0 * part);
-        let middles = chosen.iter().map(|summary| summary.fits[QUIET_FIT].chi_squared[1]);
+        let middles =
+            summaries.iter().map(|summary| quantile(&summary.fits[QUIET_FIT].chi_squared, 0.5));
         let farthest = middles
             .fold(1.0, |far: f64, x| if (x - 1.0).abs() > (far - 1.0).abs() { x } else { far });
         rows.push(Row::new(
@@ -90,7 +86,7 @@ fn asked(summaries: &[Summary], sizes: PerMode) -> Result<Block, TaskError> {
             two,
         ));
         for (mode, name, most) in [(2, "Dutch roll", 0.08), (1, "roll", 0.5)] {
-            let largest = chosen
+            let largest = summaries
                 .iter()
                 .filter_map(|summary| summary.errors[QUIET_ESTIMATE].rms)
                 .map(|rms| rms[mode] / sizes[mode])
@@ -103,8 +99,10 @@ fn asked(summaries: &[Summary], sizes: PerMode) -> Result<Block, TaskError> {
             ));
         }
         for (kinds, label) in [(0..=30, "gusts to 0.3"), (100..=100, "gusts of 1")] {
-            let kinds: Vec<_> =
-                chosen.iter().filter(|summary| kinds.contains(&summary.kind.1)).collect();
+            let kinds: Vec<_> = summaries
+                .iter()
+                .filter(|summary| kinds.contains(&summary.kind.gust_percent))
+                .collect();
             let covered: f64 =
                 kinds.iter().flat_map(|summary| summary.fits[QUIET_FIT].coverage).sum();
             rows.push(Row::new(
@@ -115,8 +113,8 @@ fn asked(summaries: &[Summary], sizes: PerMode) -> Result<Block, TaskError> {
             ));
         }
         let part = |number: fn(&Summary) -> usize| {
-            let all: usize = chosen.iter().map(|summary| summary.runs).sum();
-            chosen.iter().map(|summary| number(summary)).sum::<usize>() as f64 / all as f64
+            let all: usize = summaries.iter().map(|summary| summary.runs).sum();
+            summaries.iter().map(number).sum::<usize>() as f64 / all as f64
         };
         rows.push(Row::new(
             format!("{title}: wrong results without a doubt"),

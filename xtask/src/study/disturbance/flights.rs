@@ -1,20 +1,15 @@
-//! The flights of a case: one record moved through the aileron, one through the rudder, a quiet one, all in the same turbulence.
+//! The flights of a case: one record moved through the aileron, one through the rudder, a quiet
+//! one, all in the same turbulence.
 
-use lti::{Discrete, StateSpace};
+use flight::{Stream, add_multistep, autoregressive, normal};
 use nalgebra::DMatrix;
-use reconstruct::{NoiseSpectrum, Record, SharedModel};
+use reconstruct::{NoiseSpectrum, Record};
 
-use super::case::{Case, Excitation};
 use super::turbulence::Turbulence;
+use super::{Excitation, Kind};
 use crate::TaskError;
-use crate::reproduce::flight::sampled_aircraft;
-use crate::study::averages::count;
-use crate::study::modes::TrueModes;
-use crate::study::noise::flights::Simulator as Aircraft;
-use crate::study::readings::{SENSORS, SURFACES, noise_levels, noisy_record};
-use crate::study::signals::{autoregressive, multistep, normal, stream};
-
-const PART: &str = "flights";
+use crate::shared::noisy_flights::STEP;
+use crate::shared::paper_aircraft::{PaperAircraft, SENSORS, SURFACES, noise_levels};
 
 /// Samples of each record: 180 s.
 pub(super) const SAMPLES: usize = 1800;
@@ -30,7 +25,8 @@ pub(crate) struct Flight {
     pub(crate) records: [Record; 2],
     /// Nobody moves the controls.
     pub(crate) quiet: Record,
-    /// What the controls did in the two records, which no method but the one for comparison is told.
+    /// What the controls did in the two records, which no method but the one for comparison is
+    /// told.
     pub(crate) controls: [DMatrix<f64>; 2],
     /// Standard deviation of each sensor's white noise.
     pub(crate) levels: Vec<f64>,
@@ -40,43 +36,29 @@ pub(crate) struct Flight {
 
 /// Makes flights.
 pub(crate) struct Simulator {
-    discrete: StateSpace<Discrete>,
+    pub(crate) aircraft: PaperAircraft,
     turbulence: Turbulence,
-    aircraft: Aircraft,
 }
 
 impl Simulator {
     pub(crate) fn new() -> Result<Self, TaskError> {
-        let aircraft = sampled_aircraft()?;
-        let period = aircraft.discrete.period();
-        Ok(Self {
-            turbulence: Turbulence::new(&aircraft.continuous, period)?,
-            discrete: aircraft.discrete,
-            aircraft: Aircraft::new()?,
-        })
+        let aircraft = PaperAircraft::new()?;
+        let turbulence = Turbulence::new(&aircraft.continuous, aircraft.period())?;
+        Ok(Self { aircraft, turbulence })
     }
 
-    pub(crate) fn modes(&self) -> TrueModes {
-        self.aircraft.modes()
-    }
-
-    /// The system as the methods see it.
-    pub(crate) fn truth(&self) -> SharedModel {
-        self.aircraft.truth()
-    }
-
-    /// The records of a case. Controls, gusts and noise depend on its seed alone, so that records of one seed differ only in the strength of the
-    /// gusts.
-    pub(crate) fn fly(&self, case: &Case) -> Result<Flight, TaskError> {
-        let strength = f64::from(case.gust_percent) / 100.0;
+    /// The records of one run. Controls, gusts and noise depend on the seed alone, so that records
+    /// of one seed differ only in the strength of the gusts.
+    pub(crate) fn fly(&self, kind: Kind, seed: u64) -> Result<Flight, TaskError> {
+        let strength = f64::from(kind.gust_percent) / 100.0;
         let gusts = (0..3)
-            .map(|record| self.turbulence.motion(SAMPLES, &mut stream(case.seed, 5 + record)));
+            .map(|record| self.turbulence.motion(SAMPLES, &mut Stream::new(seed, 5 + record)));
         let gusts = gusts.collect::<Result<Vec<_>, _>>()?;
         let typical = deviations(&gusts);
         let (mut controls, mut responses) = (Vec::new(), Vec::new());
         for surface in 0..SURFACES.len() {
-            let input = controls_of(case.excitation, case.seed, surface);
-            let response = self.response(&input, surface)?;
+            let input = controls_of(kind.excitation, seed, surface);
+            let response = self.aircraft.response(surface, &input)?;
             // With this the gusts' motion of unit strength is as large as the response.
             let factor = size_ratio(&typical, &deviations(std::slice::from_ref(&response)));
             controls.push(input * factor);
@@ -86,8 +68,8 @@ impl Simulator {
         let record = |name: &str, index: usize, response: Option<&DMatrix<f64>>| {
             let gust = &gusts[index] * strength;
             let y = response.map_or_else(|| gust.clone(), |response| response + &gust);
-            let mut random = stream(case.seed, 2 + index as u64);
-            noisy_record(name, self.discrete.period(), &y, &levels, &mut random)
+            let mut random = Stream::new(seed, 2 + index as u64);
+            self.aircraft.noisy_record(name, &y, &levels, &mut random)
         };
         let [aileron, rudder] =
             [0, 1].map(|index| record(SURFACES[index], index, Some(&responses[index])));
@@ -101,21 +83,11 @@ impl Simulator {
             levels,
         })
     }
-
-    /// The sensors' response to one surface, without gusts and noise.
-    fn response(&self, input: &DMatrix<f64>, surface: usize) -> Result<DMatrix<f64>, TaskError> {
-        let system = self
-            .discrete
-            .subsystem(&[0, 1, 2], &[surface])
-            .map_err(TaskError::computation(PART))?;
-        let simulation = system.simulate(input, None).map_err(TaskError::computation(PART))?;
-        Ok(simulation.outputs)
-    }
 }
 
 /// What one surface does, in radians of nobody's aircraft: its size is chosen afterwards.
 fn controls_of(excitation: Excitation, seed: u64, surface: usize) -> DMatrix<f64> {
-    let mut random = stream(seed, surface as u64);
+    let mut random = Stream::new(seed, surface as u64);
     match excitation {
         Excitation::Autoregressive => autoregressive(normal(1, SAMPLES, &mut random)),
         Excitation::Multisteps => {
@@ -123,7 +95,7 @@ fn controls_of(excitation: Excitation, seed: u64, surface: usize) -> DMatrix<f64
             let starts: Vec<usize> = (FIRST_MULTISTEP..SAMPLES).step_by(MULTISTEP_EVERY).collect();
             let sides = normal(1, starts.len(), &mut random);
             for (start, side) in starts.into_iter().zip(&sides) {
-                multistep(&mut signal, start, side.signum());
+                add_multistep(&mut signal, start, STEP, side.signum());
             }
             signal
         }
@@ -134,7 +106,7 @@ fn controls_of(excitation: Excitation, seed: u64, surface: usize) -> DMatrix<f64
 fn deviations(motions: &[DMatrix<f64>]) -> Vec<f64> {
     let deviation = |sensor| {
         let sum: f64 = motions.iter().map(|y| y.row(sensor).variance()).sum();
-        (sum / count(motions.len())).sqrt()
+        (sum / motions.len() as f64).sqrt()
     };
     (0..SENSORS.len()).map(deviation).collect()
 }
@@ -142,7 +114,7 @@ fn deviations(motions: &[DMatrix<f64>]) -> Vec<f64> {
 /// The size of one motion over that of another: root mean square of the sensors' ratios.
 fn size_ratio(motion: &[f64], other: &[f64]) -> f64 {
     let squares = motion.iter().zip(other).map(|(x, y)| (x / y).powi(2));
-    (squares.sum::<f64>() / count(motion.len())).sqrt()
+    (squares.sum::<f64>() / motion.len() as f64).sqrt()
 }
 
 #[cfg(test)]

@@ -1,21 +1,24 @@
 //! The yardstick: a regression that is told what the controls did.
 //!
-//! y(k) = sum A_i y(k-i) + B_i u(k-i) + e(k) by least squares: with enough lags e is white whatever the gusts are, for the past outputs predict them.
-//! What the controls alone do is then a sequence of Markov parameters, H_k = B_k + sum A_i H_(k-i), which the eigensystem realization algorithm turns
-//! into eigenvalues.
+//! y(k) = sum A_i y(k-i) + B_i u(k-i) + e(k) by least squares: with enough lags e is white whatever
+//! the gusts are, for the past outputs predict them. What the controls alone do is then a sequence
+//! of Markov parameters, H_k = B_k + sum A_i H_(k-i), which the eigensystem realization algorithm
+//! turns into eigenvalues.
 //!
-//! Source: Juang, Phan, Horta & Longman (1993), Identification of observer/Kalman filter Markov parameters.
+//! Source: Juang, Phan, Horta & Longman (1993), Identification of observer/Kalman filter Markov
+//! parameters.
 
 use lti::{Discrete, SamplePeriod, StateSpace, z_to_s};
 use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use super::flights::Flight;
-use crate::study::readings::{SENSORS, SURFACES};
+use crate::shared::paper_aircraft::{SENSORS, SURFACES};
 
 /// Lags: 2 s.
 const LAGS: usize = 20;
-/// Block rows and columns of the Hankel matrix: 5 s, three periods of the Dutch roll and as many time constants of the roll mode.
+/// Block rows and columns of the Hankel matrix: 5 s, three periods of the Dutch roll and as many
+/// time constants of the roll mode.
 const BLOCKS: usize = 50;
 const ORDER: usize = 4;
 

@@ -7,17 +7,19 @@ use num_complex::Complex;
 use reconstruct::NoiseSpectrum;
 
 use crate::TaskError;
-use crate::study::averages::count;
 
 const PART: &str = "turbulence";
 
-/// Corner of the gusts' filter in rad/s. Dryden's is speed over scale of turbulence: 400 ft/s over 400 ft.
+/// Corner of the gusts' filter in rad/s. Dryden's is speed over scale of turbulence: 400 ft/s over
+/// 400 ft.
 const CORNER_RAD_S: f64 = 1.0;
-/// Samples of turbulence before a record begins: 60 s, by when all but the spiral mode have forgotten the rest they started from.
+/// Samples of turbulence before a record begins: 60 s, by when all but the spiral mode have
+/// forgotten the rest they started from.
 pub(super) const RUN_IN: usize = 600;
 
-/// The aircraft in a side gust g, an angle like sideslip: g' = -w g + w n, n white; x' = A x - a g, a the first column of A, for all that
-/// sideslip does to the aircraft it does through the air. The vane reads the sideslip relative to the air, beta - g.
+/// The aircraft in a side gust g, an angle like sideslip: g' = -w g + w n, n white; x' = A x - a g,
+/// a the first column of A, for all that sideslip does to the aircraft it does through the air. The
+/// vane reads the sideslip relative to the air, beta - g.
 pub(crate) struct Turbulence {
     /// n to beta, p and r.
     noise: ContinuousNoise,
@@ -33,7 +35,8 @@ impl Turbulence {
         Ok(Self { noise })
     }
 
-    /// The gusts' motion in the sensors, one row each, in turbulence of unit strength that began [`RUN_IN`] samples before.
+    /// The gusts' motion in the sensors, one row each, in turbulence of unit strength that began
+    /// [`RUN_IN`] samples before.
     pub(super) fn motion(
         &self,
         samples: usize,
@@ -42,8 +45,9 @@ impl Turbulence {
         self.noise.sampled(RUN_IN, samples, random).map_err(TaskError::computation(PART))
     }
 
-    /// The spectrum of the gusts' motion, `strength` times as large, and white noise of these levels: what a quiet record without an end would
-    /// say. From sample to sample x(k+1) = F x(k) + w(k), w white with covariance Q, the sum of what the steps between add.
+    /// The spectrum of the gusts' motion, `strength` times as large, and white noise of these
+    /// levels: what a quiet record without an end would say. From sample to sample x(k+1) = F x(k)
+    /// + w(k), w white with covariance Q, the sum of what the steps between add.
     pub(super) fn spectrum(
         &self,
         samples: usize,
@@ -65,7 +69,7 @@ impl Turbulence {
             complex(self.noise.fine().c()),
         );
         let at = |k: usize| {
-            let z = Complex::from_polar(1.0, std::f64::consts::TAU * count(k) / count(samples));
+            let z = Complex::from_polar(1.0, std::f64::consts::TAU * k as f64 / samples as f64);
             let inverse = (DMatrix::identity(n, n) * z - &f)
                 .try_inverse()
                 .ok_or_else(|| TaskError::computation(PART)("an eigenvalue on the unit circle"))?;

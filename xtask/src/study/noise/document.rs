@@ -1,18 +1,21 @@
-//! The study of noise as a document: what was asked and reached, tables for each excitation, figures.
+//! The study of noise as a document: what was asked and reached, tables for each excitation,
+//! figures.
 
-use report::{Block, Column, Document, Table, format_significant};
+use report::{Block, Column, Document, format_significant};
 
-use super::case::Excitation;
-use super::figures::{self, METHODS, present};
-use super::statistics::{BAD_FIT, Summary};
+use super::figures;
+use super::summary::{BAD_FIT, Summary};
 use crate::TaskError;
-use crate::bench::row::{Asked, Row, asked_and_reached};
-use crate::study::averages::root_mean_square;
-use crate::study::modes::MODES;
+use crate::shared::asked::{Asked, Row, asked_and_reached};
+use crate::shared::averages::root_mean_square;
+use crate::shared::methods::METHODS;
+use crate::shared::modes::MODES;
+use crate::shared::noisy_flights::Excitation;
+use crate::study::sections::{Section, dash, sampling_error, table, three};
 
 /// The whole document. `command` is what was typed.
-pub(crate) fn compose(
-    summaries: &[Summary],
+pub(super) fn compose(
+    sections: &[Section<Summary>],
     seeds: u64,
     command: &str,
 ) -> Result<Document, TaskError> {
@@ -27,47 +30,39 @@ pub(crate) fn compose(
         .with(Block::bullets([
             format!("command: `{command}`"),
             format!("{seeds} pairs of records for each excitation and signal to noise ratio"),
-            format!(
-                "sampling error of the study itself: {:.0} % of each root mean square, {:.1} % of a coverage of 95 %",
-                100.0 / (2.0 * seeds as f64).sqrt(),
-                100.0 * (0.95 * 0.05 / seeds as f64).sqrt()
-            ),
+            sampling_error(seeds),
             "excitations: white and AR(1) with 0.9 are held between samples; the band-limited one is white noise behind a Butterworth filter of fourth order with a \
              corner at 1 Hz and moves on between samples; the 3-2-1-1 has steps of 0.7 s, held. The methods are not told which is held: maximum likelihood finds out"
                 .to_owned(),
             "95 % regions: of spiral and roll from the likelihood itself (`profile_intervals`), of the Dutch roll the ellipse of its covariance"
                 .to_owned(),
         ]));
-    document.push(asked(summaries)?);
-    document.push(figures::errors(summaries));
-    for excitation in present(summaries) {
-        let chosen: Vec<&Summary> =
-            summaries.iter().filter(|summary| summary.kind.0 == excitation).collect();
-        document.push(Block::section(format!("Excitation: {}", excitation.title())));
-        document.push(error_table(&chosen)?);
-        document.push(median_table(&chosen)?);
-        document.push(confidence_table(&chosen)?);
+    document.push(asked(sections)?);
+    document.push(figures::errors(sections));
+    for Section { title, summaries } in sections {
+        document.push(Block::section(format!("Excitation: {title}")));
+        document.push(error_table(summaries)?);
+        document.push(median_table(summaries)?);
+        document.push(confidence_table(summaries)?);
     }
     document.push(Block::section("Confidence"));
-    document.push(figures::scores(summaries));
-    document.push(figures::coverage(summaries));
+    document.push(figures::scores(sections));
+    document.push(figures::coverage(sections));
     Ok(document)
 }
 
 /// The figures to reach, worst over what they are asked for.
-fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
+fn asked(sections: &[Section<Summary>]) -> Result<Block, TaskError> {
     let mut rows = Vec::new();
-    for excitation in present(summaries) {
-        let title = excitation.title();
+    for Section { title, summaries } in sections {
         let at = |from: u32, to: u32| {
-            summaries.iter().filter(move |summary| {
-                summary.kind.0 == excitation && (to..=from).contains(&summary.kind.1)
-            })
+            let inside =
+                move |summary: &&Summary| (to..=from).contains(&summary.kind.signal_to_noise);
+            summaries.iter().filter(inside)
         };
-        let (lowest, limited) = match excitation {
-            Excitation::Multistep => (100, None),
-            _ => (30, Some(10)),
-        };
+        let multisteps =
+            summaries.iter().any(|summary| summary.kind.excitation == Excitation::Multistep);
+        let (lowest, limited) = if multisteps { (100, None) } else { (30, Some(10)) };
         let worst = |from, to| {
             let ratios = at(from, to).filter_map(Summary::ratio).flatten();
             ratios.fold(0.0, f64::max)
@@ -88,7 +83,7 @@ fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
             ));
         }
         let pooled: Vec<f64> = at(u32::MAX, lowest)
-            .flat_map(|summary| summary.scores.iter().flatten().copied())
+            .flat_map(|summary| summary.fits.scores.iter().flatten().copied())
             .collect();
         rows.push(Row::new(
             format!("{title}: deviation of the scores, ratio {lowest} and more"),
@@ -98,7 +93,7 @@ fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
         ));
         let (mut covered, mut all) = (0.0, 0.0);
         for summary in at(u32::MAX, lowest) {
-            covered += summary.coverage.iter().sum::<f64>();
+            covered += summary.fits.coverage.iter().sum::<f64>();
             all += 3.0;
         }
         rows.push(Row::new(
@@ -121,85 +116,77 @@ fn asked(summaries: &[Summary]) -> Result<Block, TaskError> {
     asked_and_reached("Asked and reached", &rows)
 }
 
-fn error_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
-    let methods = METHODS.iter().map(|(name, ..)| Column::right(*name));
-    let header = [Column::right("ratio"), Column::left("mode")]
-        .into_iter()
-        .chain(methods)
-        .chain(["information bound", "likelihood over bound"].map(Column::right));
-    let mut table = Table::new("Root mean square errors in 1/s", header);
-    for summary in summaries {
-        for (mode, name) in MODES.iter().enumerate() {
-            let mut cells = vec![summary.kind.1.to_string(), (*name).to_owned()];
-            cells.extend(
-                summary.methods.iter().map(|method| number(method.rms.map(|rms| rms[mode]))),
-            );
-            cells.push(number(Some(summary.bound[mode])));
-            cells.push(summary.ratio().map_or_else(dash, |ratio| format!("{:.2}", ratio[mode])));
-            table.push(cells).map_err(TaskError::computation("report"))?;
-        }
-    }
-    Ok(table.into())
-}
-
-fn median_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
-    let methods = METHODS.iter().map(|(name, ..)| Column::right(*name));
-    let header = [Column::right("ratio")].into_iter().chain(methods);
-    let mut table = Table::new("Median errors in 1/s: spiral / roll / Dutch roll", header);
-    for summary in summaries {
-        let cell = |median: Option<[f64; 3]>| {
-            median.map_or_else(dash, |median| {
-                median.map(|error| format_significant(error, 2)).join(" / ")
-            })
+fn error_table(summaries: &[Summary]) -> Result<Block, TaskError> {
+    let [printed, subspace, likelihood] = METHODS.map(|(name, ..)| Column::right(name));
+    let header = [
+        Column::right("ratio"),
+        Column::left("mode"),
+        printed,
+        subspace,
+        likelihood,
+        Column::right("information bound"),
+        Column::right("likelihood over bound"),
+    ];
+    let number = |value| format_significant(value, 3);
+    let rows = summaries.iter().flat_map(|summary| {
+        let ratio = summary.ratio();
+        let row = move |mode: usize| {
+            let [printed, subspace, likelihood] = summary
+                .methods
+                .each_ref()
+                .map(|method| method.rms.map_or_else(dash, |rms| number(rms[mode])));
+            [
+                summary.kind.signal_to_noise.to_string(),
+                MODES[mode].to_owned(),
+                printed,
+                subspace,
+                likelihood,
+                number(summary.bound[mode]),
+                ratio.map_or_else(dash, |ratio| format!("{:.2}", ratio[mode])),
+            ]
         };
-        let cells = std::iter::once(summary.kind.1.to_string())
-            .chain(summary.methods.iter().map(|method| cell(method.median)));
-        table.push(cells).map_err(TaskError::computation("report"))?;
-    }
-    Ok(table.into())
+        [0, 1, 2].map(row)
+    });
+    table("Root mean square errors in 1/s", header, rows)
 }
 
-fn confidence_table(summaries: &[&Summary]) -> Result<Block, TaskError> {
-    let bad = format!("chi-squared above {BAD_FIT}");
+fn median_table(summaries: &[Summary]) -> Result<Block, TaskError> {
+    let [printed, subspace, likelihood] = METHODS.map(|(name, ..)| Column::right(name));
+    let rows = summaries.iter().map(|summary| {
+        let [printed, subspace, likelihood] = summary.methods.each_ref().map(|method| {
+            method.median.map_or_else(dash, |median| three(median, |x| format_significant(x, 2)))
+        });
+        [summary.kind.signal_to_noise.to_string(), printed, subspace, likelihood]
+    });
+    let header = [Column::right("ratio"), printed, subspace, likelihood];
+    table("Median errors in 1/s: spiral / roll / Dutch roll", header, rows)
+}
+
+fn confidence_table(summaries: &[Summary]) -> Result<Block, TaskError> {
     let header = [
         Column::right("ratio"),
         Column::right("deviation of scores"),
         Column::right("coverage (%)"),
-        Column::right(bad),
+        Column::right(format!("chi-squared above {BAD_FIT}")),
         Column::right("Dutch roll lost"),
         Column::right("not converged"),
         Column::right("top missed"),
         Column::right("no result: printed / subspace / likelihood"),
         Column::right("gap shows four states"),
     ];
-    let mut table =
-        Table::new("Confidence of maximum likelihood: spiral / roll / Dutch roll", header);
-    for summary in summaries {
-        let three = |values: [f64; 3], digits: usize| {
-            values.map(|value| format!("{value:.digits$}")).join(" / ")
-        };
+    let rows = summaries.iter().map(|summary| {
         let of_all = |number: usize| format!("{number} of {}", summary.runs);
-        table
-            .push([
-                summary.kind.1.to_string(),
-                three(summary.score_deviation(), 2),
-                three(summary.coverage.map(|part| 100.0 * part), 1),
-                of_all(summary.bad_fits),
-                of_all(summary.lost),
-                of_all(summary.unconverged),
-                of_all(summary.missed),
-                summary.methods.each_ref().map(|method| method.failed.to_string()).join(" / "),
-                of_all(summary.right_order),
-            ])
-            .map_err(TaskError::computation("report"))?;
-    }
-    Ok(table.into())
-}
-
-fn number(value: Option<f64>) -> String {
-    value.map_or_else(dash, |value| format_significant(value, 3))
-}
-
-fn dash() -> String {
-    "-".to_owned()
+        [
+            summary.kind.signal_to_noise.to_string(),
+            three(summary.fits.score_deviation(), |x| format!("{x:.2}")),
+            three(summary.fits.coverage, |part| format!("{:.1}", 100.0 * part)),
+            of_all(summary.bad_fits),
+            of_all(summary.fits.lost),
+            of_all(summary.fits.unconverged),
+            of_all(summary.missed),
+            summary.methods.each_ref().map(|method| method.failed.to_string()).join(" / "),
+            of_all(summary.right_order),
+        ]
+    });
+    table("Confidence of maximum likelihood: spiral / roll / Dutch roll", header, rows)
 }

@@ -1,8 +1,8 @@
 use super::*;
-use crate::study::disturbance::case::GUST_PERCENT;
+use crate::study::disturbance::GUST_PERCENT;
 
 fn fly(excitation: Excitation, gust_percent: u32, seed: u64) -> Flight {
-    Simulator::new().unwrap().fly(&Case { excitation, gust_percent, seed }).unwrap()
+    Simulator::new().unwrap().fly(Kind { excitation, gust_percent }, seed).unwrap()
 }
 
 fn readings(record: &Record) -> DMatrix<f64> {

@@ -1,15 +1,15 @@
 use super::*;
-use crate::study::disturbance::case::{Case, Excitation};
+use crate::shared::matching::eigenvalue_errors;
 use crate::study::disturbance::flights::Simulator;
-use crate::study::verdict::eigenvalue_errors;
+use crate::study::disturbance::{Excitation, Kind};
 
 #[test]
 fn in_still_air_it_is_nearly_exact() {
     let simulator = Simulator::new().unwrap();
     for excitation in Excitation::ALL {
-        let flight = simulator.fly(&Case { excitation, gust_percent: 0, seed: 1 }).unwrap();
-        let found = eigenvalues(&flight, simulator.truth().period).unwrap();
-        let errors = eigenvalue_errors(&found, &simulator.modes()).unwrap();
+        let flight = simulator.fly(Kind { excitation, gust_percent: 0 }, 1).unwrap();
+        let found = eigenvalues(&flight, simulator.aircraft.period()).unwrap();
+        let errors = eigenvalue_errors(&found, &simulator.aircraft.modes).unwrap();
         assert!(errors[0] < 0.01 && errors[1] < 0.03 && errors[2] < 0.01, "{errors:?}");
     }
 }

@@ -1,15 +1,15 @@
 use super::*;
-use crate::reproduce::flight::sampled_aircraft;
-use crate::study::signals::stream;
+use crate::shared::paper_aircraft::PaperAircraft;
 
 fn turbulence() -> Turbulence {
-    let aircraft = sampled_aircraft().unwrap();
-    Turbulence::new(&aircraft.continuous, aircraft.discrete.period()).unwrap()
+    let aircraft = PaperAircraft::new().unwrap();
+    Turbulence::new(&aircraft.continuous, aircraft.period()).unwrap()
 }
 
 #[test]
 fn the_spectrum_is_that_of_the_motion() {
-    // Power of each sensor between 0.5 and 3 rad/s, where leakage from the slow spiral mode is small: mean of 40 periodograms.
+    // Power of each sensor between 0.5 and 3 rad/s, where leakage from the slow spiral mode is
+    // small: mean of 40 periodograms.
     const SAMPLES: usize = 1800;
     let turbulence = turbulence();
     let spectrum = turbulence.spectrum(SAMPLES, 1.0, &[0.0; 3].map(|_| 1e-6)).unwrap();
@@ -19,13 +19,13 @@ fn the_spectrum_is_that_of_the_motion() {
             frequencies.iter().map(|k| spectrum.covariances()[*k][(sensor, sensor)].re).sum();
         let mut found = 0.0;
         for seed in 0..40 {
-            let y = turbulence.motion(SAMPLES, &mut stream(seed, 0)).unwrap();
+            let y = turbulence.motion(SAMPLES, &mut Stream::new(seed, 0)).unwrap();
             for k in &frequencies {
-                let step = std::f64::consts::TAU * count(*k) / count(SAMPLES);
+                let step = std::f64::consts::TAU * *k as f64 / SAMPLES as f64;
                 let sum: Complex<f64> = (0..SAMPLES)
-                    .map(|i| Complex::from_polar(y[(sensor, i)], -step * count(i)))
+                    .map(|i| Complex::from_polar(y[(sensor, i)], -step * i as f64))
                     .sum();
-                found += sum.norm_sqr() / count(SAMPLES) / 40.0;
+                found += sum.norm_sqr() / SAMPLES as f64 / 40.0;
             }
         }
         // 2840 periodogram values, most of the power in a tenth of them.
@@ -35,7 +35,8 @@ fn the_spectrum_is_that_of_the_motion() {
 
 #[test]
 fn the_vane_reads_the_air() {
-    // At once a gust shows in the vane alone, with its sign changed; the air then turns the aircraft as sideslip would.
+    // At once a gust shows in the vane alone, with its sign changed; the air then turns the
+    // aircraft as sideslip would.
     let turbulence = turbulence();
     let gust = 4;
     assert!((turbulence.noise.fine().c()[(0, gust)] + 1.0).abs() < 1e-15);
