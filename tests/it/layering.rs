@@ -22,16 +22,7 @@ const ALLOWED: [(&str, &[&str]); 14] = [
     ),
     (
         "xtask",
-        &[
-            "aircraft",
-            "cfi-ident",
-            "flight",
-            "hankel",
-            "lti",
-            "poly",
-            "reconstruct",
-            "report",
-        ],
+        &["aircraft", "cfi-ident", "flight", "hankel", "lti", "poly", "reconstruct", "report"],
     ),
     ("tests", &[]),
 ];
