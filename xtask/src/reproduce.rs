@@ -16,7 +16,7 @@ mod results;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use reconstruct::{AsPrinted, AsPrintedOptions, Record, as_printed};
+use reconstruct::{Record, paper};
 use report::{Block, Column, Document, Table, html, markdown, svg};
 
 use crate::TaskError;
@@ -60,14 +60,14 @@ pub(crate) struct AircraftExample {
     aircraft: PaperAircraft,
     /// Aileron record, rudder record.
     records: [Record; 2],
-    result: AsPrinted,
+    result: paper::Solution,
 }
 
 impl AircraftExample {
     fn compute() -> Result<Self, TaskError> {
         let aircraft = PaperAircraft::new()?;
         let records = aircraft.paper_records()?;
-        let result = as_printed(&records, &AsPrintedOptions::default())
+        let result = paper::identify(&records, &paper::Options::default())
             .map_err(TaskError::computation("reconstruction"))?;
         Ok(Self { aircraft, records, result })
     }

@@ -16,7 +16,7 @@ use orders::Fitted;
 pub use spectra::spectral_fits;
 use starts::FirstStage;
 
-use crate::likelihood::{Estimate, Fit, profile_intervals};
+use crate::likelihood::{Estimate, Fit, Whiteness, profile_intervals};
 use crate::subspace::{ExcitationRank, Intersection, NoiseOrigin, OrderEvidence};
 use crate::{ReconstructError, Record, SharedModel, likelihood, paper, subspace};
 
@@ -152,6 +152,12 @@ impl Reconstruction {
         let white = !matches!(noise.origin, NoiseOrigin::Quiet { .. });
         let levels = noise.deviations.iter().map(|&value| Estimate { value, deviation: 0.0 });
         white.then(|| levels.collect())
+    }
+
+    /// Whether the residuals of each record are white; from the likelihood alone.
+    #[must_use]
+    pub fn whiteness(&self) -> &[Whiteness] {
+        self.fit().map_or(&[], |fit| &fit.whiteness)
     }
 
     /// How many independent excitations each record shows; empty for the paper's method.

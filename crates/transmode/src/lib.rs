@@ -5,7 +5,6 @@
 
 mod args;
 mod colors;
-mod doubts;
 mod error;
 mod exit;
 mod fit;

@@ -86,14 +86,14 @@ fn alternates(mode: &FoundMode) -> bool {
 
 /// C v with the eigenvector v of A, or what the printed method says of its own mode.
 fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
-    if let (Some(model), Some(vector)) = (&result.model, &mode.mode.eigenvector) {
+    if let (Some(model), Some(vector)) = (result.model(), &mode.mode.eigenvector) {
         let reading = |row: usize| {
             let entries = model.c.row(row);
             entries.iter().zip(vector.iter()).map(|(entry, part)| part * *entry).sum()
         };
         return (0..model.c.nrows()).map(reading).collect();
     }
-    let printed = result.printed.as_ref();
+    let printed = result.paper();
     let own = printed.and_then(|printed| {
         let distance = |z: Complex<f64>| mode.mode.discrete_eigenvalue.map(|own| (own - z).norm());
         printed.modes.iter().min_by(|a, b| {
@@ -116,7 +116,7 @@ fn scaled(mut shape: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
 /// The spread of the shared zero that the mode comes from.
 fn spread(result: &Reconstruction, mode: &FoundMode) -> Option<f64> {
     let z = mode.mode.discrete_eigenvalue?;
-    let zeros = &result.printed.as_ref()?.shared.zeros;
+    let zeros = &result.paper()?.shared.zeros;
     let closest = zeros.iter().min_by(|a, b| (a.value - z).norm().total_cmp(&(b.value - z).norm()));
     closest.map(|zero| zero.spread)
 }

@@ -1,6 +1,6 @@
 //! Group 5: the paper's own fits and its whole reconstruction.
 
-use reconstruct::{AsPrintedOptions, as_printed};
+use reconstruct::paper;
 
 use super::ours::{self, How, PAPER};
 use super::times::{TimeRow, times_table};
@@ -29,7 +29,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Group, TaskError> {
     let qr = four(How::Qr)?;
     bench.say("paper: reconstruction");
     let whole = time(Runs::MANY, || {
-        as_printed(&records, &AsPrintedOptions::default())
+        paper::identify(&records, &paper::Options::default())
             .map_err(TaskError::computation("reconstruction"))
     })?;
     let rows = [

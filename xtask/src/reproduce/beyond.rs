@@ -2,7 +2,8 @@
 //! records.
 
 use num_complex::Complex;
-use reconstruct::{ComplexEstimate, Method, Options};
+use reconstruct::likelihood::ComplexEstimate;
+use reconstruct::{Method, Options};
 use report::{
     Axis, Block, Column, Dash, Ellipse, Ellipses, Figure, Ink, Line, Panel, Points, Table,
     format_significant,

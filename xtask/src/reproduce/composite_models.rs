@@ -2,7 +2,8 @@
 
 use cfi_ident::{ConstantTerm, Structure};
 use num_complex::Complex;
-use reconstruct::{Identification, IdentificationOptions, identify};
+use reconstruct::paper;
+use reconstruct::paper::{Identification, IdentificationOptions};
 use report::{Axis, Figure, Panel, Points, Stems};
 
 use super::check::{Check, Print, multiset_distance};
@@ -133,8 +134,8 @@ fn ranks_with_constant_term(example: &AircraftExample) -> Result<Vec<String>, Ta
     let pairs = example.records.iter().flat_map(|record| [(record, 1), (record, 2)]);
     pairs
         .map(|(record, output)| {
-            let found =
-                identify(record, 0, output, &options).map_err(TaskError::computation(PART))?;
+            let found = paper::identify_transmissibility(record, 0, output, &options)
+                .map_err(TaskError::computation(PART))?;
             Ok(format!("{} of {parameters}", found.fit.rank))
         })
         .collect()

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 use poly::{MrootsOptions, Poly, mroots};
-use reconstruct::{Statement, TransmissibilityPair, containment};
+use reconstruct::paper::{Statement, TransmissibilityPair, containment};
 
 use super::check::{Check, Print};
 use super::{AircraftExample, Part};

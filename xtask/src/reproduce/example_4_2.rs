@@ -6,7 +6,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use poly::{MrootsOptions, Poly, Rational, mroots};
-use reconstruct::{TransmissibilityPair, containment};
+use reconstruct::paper::{TransmissibilityPair, containment};
 
 use super::check::{Check, Print};
 use super::{AircraftExample, Part};

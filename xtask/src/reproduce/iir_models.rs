@@ -1,7 +1,7 @@
 //! Figure 3: the transmissibilities as rational functions.
 
 use num_complex::Complex;
-use reconstruct::Identification;
+use reconstruct::paper::Identification;
 use report::{Figure, Panel, Points};
 
 use super::check::{Check, Print};

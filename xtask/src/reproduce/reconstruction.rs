@@ -4,10 +4,8 @@
 use aircraft::{Eigenpair, ModeShape, name_modes};
 use lti::StateSpace;
 use num_complex::Complex;
-use reconstruct::{
-    Difference, IdentificationOptions, ReconstructError, ReconstructedMode, Record, containment,
-    difference_zeros, identify,
-};
+use reconstruct::paper::{Difference, IdentificationOptions, containment, difference_zeros};
+use reconstruct::{ReconstructError, Record, paper};
 use report::{
     Block, Column, Figure, Notes, Panel, Points, Table, format_conjugate_pair, format_significant,
 };
@@ -71,9 +69,8 @@ pub(crate) fn build(example: &AircraftExample) -> Result<Part, TaskError> {
 fn order_in_print(example: &AircraftExample) -> Result<Check, TaskError> {
     let nearest = |printed: f64| {
         let real = example.result.modes.iter().filter(|mode| mode.eigenvalue.im.abs() <= 0.0);
-        let distance = |mode: &&ReconstructedMode| {
-            (example.result.shared.zeros[mode.shared].value - printed).norm()
-        };
+        let distance =
+            |mode: &&paper::Mode| (example.result.shared.zeros[mode.shared].value - printed).norm();
         real.min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .map_or(f64::NAN, |mode| mode.eigenvalue.re)
     };
@@ -97,7 +94,13 @@ fn sideslip_needed(example: &AircraftExample) -> Result<Check, TaskError> {
     let fault = TaskError::computation::<ReconstructError>(PART);
     let (roll_rate, yaw_rate) = (1, 2);
     let identified = |record: &Record| {
-        identify(record, roll_rate, yaw_rate, &IdentificationOptions::default()).map_err(fault)
+        paper::identify_transmissibility(
+            record,
+            roll_rate,
+            yaw_rate,
+            &IdentificationOptions::default(),
+        )
+        .map_err(fault)
     };
     let [aileron, rudder] = &example.records;
     let zeros = difference_zeros(&identified(aileron)?, &identified(rudder)?).map_err(fault)?.len();
@@ -157,7 +160,7 @@ fn names(example: &AircraftExample) -> Result<Vec<(f64, f64, String)>, TaskError
         .map(|mode| Eigenpair { eigenvalue: mode.eigenvalue, shape: shape(&mode.shape) })
         .collect();
     let named = name_modes(&pairs).map_err(TaskError::computation(PART))?;
-    let place = |mode: &ReconstructedMode| example.result.shared.zeros[mode.shared].value;
+    let place = |mode: &paper::Mode| example.result.shared.zeros[mode.shared].value;
     Ok(named
         .iter()
         .zip(modes)

@@ -1,7 +1,7 @@
 //! results.json: every check, and the aircraft's numbers in full precision.
 
 use num_complex::Complex;
-use reconstruct::containment;
+use reconstruct::paper::containment;
 use serde::Serialize;
 
 use super::AircraftExample;

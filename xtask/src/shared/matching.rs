@@ -2,7 +2,8 @@
 
 use nalgebra::Vector2;
 use num_complex::Complex;
-use reconstruct::{ComplexEstimate, LikelihoodFit, ModeEstimate, Reconstruction};
+use reconstruct::likelihood::ComplexEstimate;
+use reconstruct::{Reconstruction, likelihood};
 
 use super::modes::{PerMode, TrueModes};
 
@@ -38,7 +39,7 @@ pub(crate) fn errors(found: &[Complex<f64>; 3], truth: &TrueModes) -> PerMode {
 }
 
 /// The estimates for spiral, roll, Dutch roll.
-pub(crate) fn named(fit: &LikelihoodFit, truth: &TrueModes) -> Option<[ModeEstimate; 3]> {
+pub(crate) fn named(fit: &likelihood::Fit, truth: &TrueModes) -> Option<[likelihood::Mode; 3]> {
     let (mut values, mut owners) = (Vec::new(), Vec::new());
     for mode in &fit.modes {
         for s in with_conjugate(mode.continuous.value) {

@@ -2,10 +2,9 @@
 
 use lti::{Transmissibility, z_to_s};
 use poly::Poly;
-use reconstruct::{
-    Identification, LikelihoodFit, Method, ModeEstimate, NoiseModel, Options, OrderChoice,
-    Reconstruction, Record, difference_zeros, reconstruct,
-};
+use reconstruct::paper::{Identification, difference_zeros};
+use reconstruct::subspace::OrderChoice;
+use reconstruct::{Method, NoiseModel, Options, Reconstruction, Record, likelihood, reconstruct};
 use report::{Dash, Ink, Marker};
 
 use super::matching::{named, nearest};
@@ -46,7 +45,8 @@ pub(crate) fn apply(
 /// fit. With noise the differences share no zero; this gives the method what it cannot know, which
 /// of the zeros is the right one.
 pub(crate) fn printed_errors(records: &[Record], truth: &TrueModes) -> Option<PerMode> {
-    let printed = apply(records, Method::AsPrinted, NoiseModel::Estimated, ORDER)?.printed?;
+    let found = apply(records, Method::Paper, NoiseModel::Estimated, ORDER)?;
+    let printed = found.paper()?;
     let realised = printed.differences.iter().flat_map(|difference| difference.zeros.clone());
     let (first, second) = printed.identifications.split_at(printed.identifications.len() / 2);
     let fitted = first.iter().zip(second).filter_map(|(first, second)| {
@@ -74,8 +74,9 @@ fn unrealised(found: &Identification) -> Option<Identification> {
 pub(crate) fn most_likely(
     records: &[Record],
     truth: &TrueModes,
-) -> Option<(LikelihoodFit, [ModeEstimate; 3])> {
-    let fit = apply(records, Method::MaximumLikelihood, NoiseModel::Estimated, ORDER)?.likelihood?;
+) -> Option<(likelihood::Fit, [likelihood::Mode; 3])> {
+    let found = apply(records, Method::MaximumLikelihood, NoiseModel::Estimated, ORDER)?;
+    let fit = found.fit()?.clone();
     let modes = named(&fit, truth)?;
     Some((fit, modes))
 }

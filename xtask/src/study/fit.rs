@@ -1,10 +1,8 @@
 //! One fit of maximum likelihood beside the truth, and what the records allow at best.
 
 use num_complex::Complex;
-use reconstruct::{
-    ComplexEstimate, Directions, Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions,
-    ModeEstimate, Record, SearchStatus, SharedModel, maximise,
-};
+use reconstruct::likelihood::{ComplexEstimate, Hold, SearchStatus};
+use reconstruct::{Record, SharedModel, likelihood};
 use serde::{Deserialize, Serialize};
 
 use crate::TaskError;
@@ -34,7 +32,11 @@ pub(super) struct JudgedFit {
 
 impl JudgedFit {
     /// `modes` are the fit's, for spiral, roll, Dutch roll.
-    pub(super) fn new(fit: &LikelihoodFit, modes: &[ModeEstimate; 3], truth: &TrueModes) -> Self {
+    pub(super) fn new(
+        fit: &likelihood::Fit,
+        modes: &[likelihood::Mode; 3],
+        truth: &TrueModes,
+    ) -> Self {
         Self {
             errors: errors(&modes.each_ref().map(|mode| mode.continuous.value), truth),
             scores: scores(modes, truth),
@@ -50,7 +52,7 @@ impl JudgedFit {
 }
 
 /// Errors over their own deviations: spiral, roll, Dutch roll's real part, its imaginary part.
-fn scores(modes: &[ModeEstimate; 3], truth: &TrueModes) -> [f64; 4] {
+fn scores(modes: &[likelihood::Mode; 3], truth: &TrueModes) -> [f64; 4] {
     let [spiral, roll, dutch_roll] = modes.each_ref().map(|mode| &mode.continuous);
     let real = |estimate: &ComplexEstimate, truth: Complex<f64>| {
         (estimate.value.re - truth.re) / estimate.real_deviation()
@@ -66,7 +68,7 @@ fn scores(modes: &[ModeEstimate; 3], truth: &TrueModes) -> [f64; 4] {
 
 /// Whether the 95 % intervals of the real modes and the 95 % ellipse of the Dutch roll hold the
 /// truth.
-fn covered(modes: &[ModeEstimate; 3], truth: &TrueModes) -> [bool; 3] {
+fn covered(modes: &[likelihood::Mode; 3], truth: &TrueModes) -> [bool; 3] {
     let [spiral, roll, dutch_roll] = modes.each_ref().map(|mode| &mode.continuous);
     [
         holds_real(spiral, truth.spiral),
@@ -84,25 +86,26 @@ fn holds_real(estimate: &ComplexEstimate, truth: Complex<f64>) -> bool {
 }
 
 /// The likelihood of the records from one start, which with no steps is the likelihood at the
-/// start. `hold` as in [`LikelihoodOptions`].
+/// start. `hold` as in [`likelihood::Options`].
 pub(super) fn search(
     records: &[Record],
     start: &SharedModel,
-    noise: LikelihoodNoise,
+    noise: likelihood::Noise,
     hold: Option<Hold>,
-    largest_steps: usize,
-) -> Result<LikelihoodFit, TaskError> {
-    let mut options = LikelihoodOptions::default();
+    max_steps: usize,
+) -> Result<likelihood::Fit, TaskError> {
+    let mut options = likelihood::Options::default();
     options.noise = noise;
     options.hold = hold;
-    options.directions = Directions::AsStarted;
-    options.largest_steps = largest_steps;
-    maximise(records, std::slice::from_ref(start), &options).map_err(TaskError::computation(PART))
+    options.search.directions = likelihood::InputDirections::AsStarted;
+    options.search.max_steps = max_steps;
+    likelihood::identify(records, std::slice::from_ref(start), &options)
+        .map_err(TaskError::computation(PART))
 }
 
 /// The variances that no unbiased estimate without the inputs can go below, of real and imaginary
 /// part together: the covariance at the true system, whose likelihood under the true noise this is.
-pub(super) fn bound(at_truth: &LikelihoodFit, truth: &TrueModes) -> Result<PerMode, TaskError> {
+pub(super) fn bound(at_truth: &likelihood::Fit, truth: &TrueModes) -> Result<PerMode, TaskError> {
     let modes = named(at_truth, truth)
         .ok_or_else(|| TaskError::computation(PART)("the true system lacks a mode"))?;
     Ok(modes.map(|mode| mode.continuous.covariance.trace()))

@@ -2,13 +2,15 @@
 
 mod printed;
 
-use reconstruct::{Estimate, Hold, LikelihoodFit, OrderEvidence, SearchStatus};
+use reconstruct::likelihood;
+use reconstruct::likelihood::{Estimate, Hold, SearchStatus};
+use reconstruct::subspace::OrderEvidence;
 use serde::Serialize;
 
 use super::outcome::Outcome;
+use crate::CommandError;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
-use crate::{CommandError, doubts};
 use printed::TransmissibilityOutput;
 
 #[derive(Serialize)]
@@ -119,20 +121,19 @@ struct Warning {
 /// The JSON text, indented, with a line feed at its end.
 pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     let result = outcome.result;
-    let printed = result.printed.as_ref();
-    let doubts = result
-        .doubts
-        .iter()
-        .map(|doubt| Warning { code: doubts::code(doubt), text: doubt.to_string() });
+    let printed = result.paper();
+    let fit = result.fit();
+    let doubts =
+        result.doubts.iter().map(|doubt| Warning { code: doubt.code(), text: doubt.to_string() });
     let warnings = outcome.warnings.iter();
     let output = Output {
         schema: 1,
         method: outcome.method.word(),
-        order: result.order.as_ref().map_or_else(
+        order: result.order().map_or_else(
             || printed.map_or(0, |printed| printed.modes.len()),
             |evidence| evidence.order,
         ),
-        order_evidence: result.order.as_ref().map(order),
+        order_evidence: result.order().map(order),
         sample_period_s: outcome.records.first().map_or(0.0, |record| record.period().seconds()),
         channels: channels(outcome),
         records: records(outcome),
@@ -140,12 +141,12 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         noise: noise(outcome),
         noise_origin: outcome.noise_origin(),
         band_rad_s: outcome.options.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
-        hold: result.likelihood.as_ref().map(hold),
+        hold: fit.map(hold),
         goodness: GoodnessOutput {
-            chi2_per_dof: result.goodness.map(|goodness| goodness.per_degree_of_freedom()),
-            p_value: result.goodness.and_then(|goodness| goodness.p_value),
+            chi2_per_dof: fit.map(|fit| fit.chi_squared.per_degree_of_freedom()),
+            p_value: fit.and_then(|fit| fit.chi_squared.p_value),
         },
-        search: result.likelihood.as_ref().map(search),
+        search: fit.map(search),
         closest_refused: printed.and_then(|printed| printed.shared.closest_refused),
         transmissibilities: printed.map(printed::transmissibilities),
         warnings: warnings
@@ -167,7 +168,7 @@ fn channels<'a>(outcome: &Outcome<'a>) -> Vec<&'a str> {
 }
 
 fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
-    let (excitations, whiteness) = (&outcome.result.excitations, &outcome.result.whiteness);
+    let (excitations, whiteness) = (outcome.result.excitations(), outcome.result.whiteness());
     let record = |(index, record): (usize, &'a reconstruct::Record)| RecordOutput {
         file: record.name(),
         samples: record.samples(),
@@ -203,16 +204,16 @@ fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {
         time_to_half_or_double_s: mode.time_to_half_or_double_s,
         level: outcome.level(found).map(|level| level.to_string()),
         shape: found.shape.iter().map(|&part| part.into()).collect(),
-        strength: found.mode.strength.clone(),
+        strength: found.mode.excitation_snr.clone(),
         spread: found.spread,
     }
 }
 
 fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
     let estimated = outcome.noise_origin() == Some("estimated");
-    let likelihood = outcome.result.likelihood.is_some();
+    let likelihood = outcome.result.fit().is_some();
     let Some(first) = outcome.records.first() else { return Vec::new() };
-    let levels = outcome.result.noise_levels.iter().flatten();
+    let levels = outcome.result.noise_levels().unwrap_or_default();
     first
         .channels()
         .iter()
@@ -227,12 +228,12 @@ fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
         .collect()
 }
 
-fn hold(fit: &LikelihoodFit) -> HoldOutput {
+fn hold(fit: &likelihood::Fit) -> HoldOutput {
     let order = if fit.hold == Hold::FirstOrder { 1 } else { 0 };
     HoldOutput { order, evidence: fit.hold_evidence }
 }
 
-fn search(fit: &LikelihoodFit) -> SearchOutput {
+fn search(fit: &likelihood::Fit) -> SearchOutput {
     SearchOutput {
         status: match fit.search.status {
             SearchStatus::Converged => "converged",

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
-use reconstruct::{
-    FrequencyBand, Hold, Method, NoiseModel, Offsets, Options, OrderChoice, Record, Trend,
-};
+use reconstruct::likelihood::{FrequencyBand, Hold};
+use reconstruct::subspace::OrderChoice;
+use reconstruct::{Method, NoiseModel, Offsets, Options, Record, Trend};
 
 use crate::CommandError;
 use crate::args::IdentifyArgs;
@@ -63,12 +63,12 @@ pub(super) fn options(
     options.method = match args.method() {
         MethodName::Ml => Method::MaximumLikelihood,
         MethodName::Subspace => Method::Subspace,
-        MethodName::AsPrinted => Method::AsPrinted,
+        MethodName::AsPrinted => Method::Paper,
     };
     if let Some(OrderAsked::States(order)) = args.order {
         options.order = OrderChoice::Fixed(order);
     }
-    options.offsets = match &args.offsets {
+    options.measurement.offsets = match &args.offsets {
         None | Some(OffsetsAsked::Zero) => Offsets::Zero,
         Some(OffsetsAsked::Free) => Offsets::Free,
         Some(OffsetsAsked::Deviations(deviations)) => {
@@ -79,7 +79,7 @@ pub(super) fn options(
         }
     };
     if args.trend == Some(true) {
-        options.trend = Trend::Linear;
+        options.measurement.trend = Trend::Linear;
     }
     options.hold = match args.hold {
         None | Some(HoldAsked::Auto) => None,
@@ -89,18 +89,18 @@ pub(super) fn options(
     options.profile = true;
     options.threads = threads_or_all(args.threads);
     options.band = band(args, record)?;
-    options.feedthrough_sensors = feedthrough(args, record, &sensors)?;
+    options.measurement.feedthrough_sensors = feedthrough(args, record, &sensors)?;
     options.noise = match noise {
         Some(quiet) => NoiseModel::Quiet(quiet),
         None if args.noise.is_empty() => NoiseModel::Estimated,
         None => NoiseModel::Levels(one_each("--noise", &args.noise, &sensors)?),
     };
-    options.known_inputs = known_inputs;
+    options.measurement.known_inputs = known_inputs;
     let length = |given: Option<usize>, default: usize| given.unwrap_or(default);
     let orders =
         Orders::new(length(args.iir, 4), length(args.causal, 25), length(args.anticausal, 25))
             .map_err(|error| CommandError::Reconstruct(error.to_string()))?;
-    options.printed.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
+    options.paper.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
     Ok(options)
 }
 

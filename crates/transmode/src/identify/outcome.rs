@@ -1,9 +1,8 @@
 //! All that there is to say of one run, for the terminal, the JSON and the report.
 
 use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, NamedMode, level};
-use reconstruct::{
-    ComparedOrder, NoiseOrigin, Options, Reconstruction, ReconstructionDoubt, Record, SubspaceDoubt,
-};
+use reconstruct::subspace::NoiseOrigin;
+use reconstruct::{ComparedOrder, Doubt, Options, Reconstruction, Record, subspace};
 use report::format_significant;
 
 use crate::args::values::MethodName;
@@ -57,7 +56,7 @@ impl Outcome<'_> {
             let exponent = format_significant(other.above / 2.0, 2);
             format!("e^{exponent} times as likely as {}", other.order)
         };
-        self.result.compared_orders.iter().map(ratio).collect::<Vec<_>>().join(", ")
+        self.result.compared_orders().iter().map(ratio).collect::<Vec<_>>().join(", ")
     }
 
     /// The unit of a channel, where all files that state one agree.
@@ -70,7 +69,7 @@ impl Outcome<'_> {
 
     /// Where the noise levels come from, as a word; `None` for the printed method, which knows of no noise.
     pub(crate) fn noise_origin(&self) -> Option<&'static str> {
-        Some(match self.result.intersection.as_ref()?.noise.origin {
+        Some(match self.result.intersection()?.noise.origin {
             NoiseOrigin::Given => "given",
             NoiseOrigin::Estimated { .. } => "estimated",
             NoiseOrigin::Rounding => "rounding",
@@ -83,13 +82,8 @@ impl Outcome<'_> {
 /// Whether a doubt says no more than that the stretches between the gaps of one record were excited in the same way.
 ///
 /// That is what they are taken for: the records that count are the whole ones, and of these there are enough.
-pub(super) fn is_of_one_excitation(
-    doubt: &ReconstructionDoubt,
-    records: &[Record],
-    sources: &[Source],
-) -> bool {
-    let ReconstructionDoubt::Subspace(SubspaceDoubt::SameExcitation { first, second, .. }) = doubt
-    else {
+pub(super) fn is_of_one_excitation(doubt: &Doubt, records: &[Record], sources: &[Source]) -> bool {
+    let Doubt::Subspace(subspace::Doubt::SameExcitation { first, second, .. }) = doubt else {
         return false;
     };
     let whole = |name: &String| {

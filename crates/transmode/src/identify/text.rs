@@ -6,7 +6,7 @@ mod printed;
 use std::fmt::Write;
 
 use comfy_table::{CellAlignment, Table, presets};
-use reconstruct::Estimate;
+use reconstruct::likelihood::Estimate;
 use report::{format_conjugate_pair, format_significant};
 
 use super::outcome::Outcome;
@@ -18,7 +18,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "method: {}", method(outcome));
     for (index, record) in outcome.records.iter().enumerate() {
-        let rank = outcome.result.excitations.get(index).map(|found| found.rank);
+        let rank = outcome.result.excitations().get(index).map(|found| found.rank);
         let excitations = match rank {
             None | Some(1) => String::new(),
             Some(0) => ", no excitation".to_owned(),
@@ -35,7 +35,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
     if !outcome.found.is_empty() {
         let _ = writeln!(text, "\n{}", table(outcome));
     }
-    let summary = match &outcome.result.printed {
+    let summary = match outcome.result.paper() {
         Some(printed) => printed::summary(printed),
         None => evidence::summary(outcome),
     };
@@ -65,8 +65,8 @@ fn method(outcome: &Outcome<'_>) -> String {
 
 /// One line for each mode; columns that the method or the command line does not fill are left out.
 fn table(outcome: &Outcome<'_>) -> Table {
-    let estimated = outcome.result.likelihood.is_some();
-    let printed = outcome.result.printed.is_some();
+    let estimated = outcome.result.fit().is_some();
+    let printed = outcome.result.paper().is_some();
     let levels = outcome.flying_qualities.is_some();
     let columns = [
         ("mode", true),

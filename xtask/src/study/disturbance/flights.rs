@@ -3,7 +3,8 @@
 
 use flight::{Stream, add_multistep, autoregressive, normal};
 use nalgebra::DMatrix;
-use reconstruct::{NoiseSpectrum, Record};
+use reconstruct::Record;
+use reconstruct::likelihood::NoiseSpectrum;
 
 use super::turbulence::Turbulence;
 use super::{Excitation, Kind};

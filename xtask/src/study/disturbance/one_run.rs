@@ -1,10 +1,8 @@
 //! One run: both methods with and without the quiet record, the yardsticks, and what the records
 //! allow at best.
 
-use reconstruct::{
-    AutoregressionOrder, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method, NoiseModel,
-    NoiseSpectrum, Reconstruction, ReconstructionDoubt, Record, VectorAutoregression,
-};
+use reconstruct::likelihood::{AutoregressionOrder, NoiseSpectrum, VectorAutoregression};
+use reconstruct::{Doubt, Method, NoiseModel, Reconstruction, Record, likelihood};
 use serde::{Deserialize, Serialize};
 
 use super::flights::{SAMPLES, Simulator};
@@ -83,12 +81,12 @@ pub(super) fn run(simulator: &Simulator, kind: Kind, seed: u64) -> Result<Outcom
 
     let (mut alone, alone_fit) = both(records, NoiseModel::Estimated, &truth);
     let (quiet, quiet_fit) = both(records, quiet, &truth);
-    let white = LikelihoodNoise::Given(flight.levels.clone());
+    let white = likelihood::Noise::Given(flight.levels.clone());
     if let (Some(judged), Some(fit)) = (&mut alone.likelihood, alone_fit) {
         let under_noise = search(records, &fit.model, white, None, 0)?;
         judged.fit.chi_squared = under_noise.chi_squared.per_degree_of_freedom();
     }
-    let steps = LikelihoodOptions::default().largest_steps;
+    let steps = likelihood::Options::default().search.max_steps;
     let from_truth = search(records, &system, spectra(&estimated), None, steps)?;
     let at_best = search(records, &system, spectra(&flight.spectrum), None, steps)?;
     let under_truth = search(records, &system, spectra(&flight.spectrum), None, 0)?;
@@ -106,14 +104,18 @@ pub(super) fn run(simulator: &Simulator, kind: Kind, seed: u64) -> Result<Outcom
 }
 
 /// What both methods make of the records, and the fit of the second.
-fn both(records: &[Record], noise: NoiseModel, truth: &TrueModes) -> (Both, Option<LikelihoodFit>) {
+fn both(
+    records: &[Record],
+    noise: NoiseModel,
+    truth: &TrueModes,
+) -> (Both, Option<likelihood::Fit>) {
     let apply = |method| apply(records, method, noise.clone(), ORDER);
     let subspace = apply(Method::Subspace).and_then(|found| closed_form(&found, truth));
     let Some(found) = apply(Method::MaximumLikelihood) else {
         return (Both { subspace, likelihood: None }, None);
     };
-    let likelihood = found.likelihood.as_ref().and_then(|fit| judged(fit, &found.doubts, truth));
-    (Both { subspace, likelihood }, found.likelihood)
+    let likelihood = found.fit().and_then(|fit| judged(fit, &found.doubts, truth));
+    (Both { subspace, likelihood }, found.fit().cloned())
 }
 
 fn closed_form(found: &Reconstruction, truth: &TrueModes) -> Option<Subspace> {
@@ -121,22 +123,19 @@ fn closed_form(found: &Reconstruction, truth: &TrueModes) -> Option<Subspace> {
     Some(Subspace { errors, doubts: doubt_names(&found.doubts) })
 }
 
-fn judged(
-    fit: &LikelihoodFit,
-    doubts: &[ReconstructionDoubt],
-    truth: &TrueModes,
-) -> Option<Likelihood> {
+fn judged(fit: &likelihood::Fit, doubts: &[Doubt], truth: &TrueModes) -> Option<Likelihood> {
     let modes = named(fit, truth)?;
     Some(Likelihood { fit: JudgedFit::new(fit, &modes, truth), doubts: doubt_names(doubts) })
 }
 
 /// The names of the doubts' variants, each once: what is left of `Subspace(NoiseNotWhite { record:
 /// .. })` is `NoiseNotWhite`.
-fn doubt_names(doubts: &[ReconstructionDoubt]) -> Vec<String> {
-    let name = |doubt: &ReconstructionDoubt| {
+fn doubt_names(doubts: &[Doubt]) -> Vec<String> {
+    let name = |doubt: &Doubt| {
         let text = match doubt {
-            ReconstructionDoubt::Subspace(doubt) => format!("{doubt:?}"),
-            ReconstructionDoubt::Printed(doubt) => format!("{doubt:?}"),
+            Doubt::Subspace(doubt) => format!("{doubt:?}"),
+            Doubt::Likelihood(doubt) => format!("{doubt:?}"),
+            Doubt::Paper(doubt) => format!("{doubt:?}"),
             other => format!("{other:?}"),
         };
         text.chars().take_while(char::is_ascii_alphanumeric).collect()
@@ -147,8 +146,8 @@ fn doubt_names(doubts: &[ReconstructionDoubt]) -> Vec<String> {
     names
 }
 
-fn spectra(spectrum: &NoiseSpectrum) -> LikelihoodNoise {
-    LikelihoodNoise::Spectra(vec![spectrum.clone(); 2])
+fn spectra(spectrum: &NoiseSpectrum) -> likelihood::Noise {
+    likelihood::Noise::Spectra(vec![spectrum.clone(); 2])
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use flight::{ContinuousNoise, SUBSTEPS, Stream, in_side_gust};
 use lti::{Continuous, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 use num_complex::Complex;
-use reconstruct::NoiseSpectrum;
+use reconstruct::likelihood::NoiseSpectrum;
 
 use crate::TaskError;
 

@@ -1,9 +1,7 @@
 //! One run: the methods on one pair of records, and what the records allow at best.
 
-use reconstruct::{
-    Hold, LikelihoodFit, LikelihoodNoise, LikelihoodOptions, Method, ModeEstimate, NoiseModel,
-    Options, SharedModel, maximise, profile_intervals,
-};
+use reconstruct::likelihood::{Hold, profile_intervals};
+use reconstruct::{Method, NoiseModel, Options, SharedModel, likelihood};
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
@@ -54,7 +52,7 @@ pub(super) fn run(simulator: &Simulator, kind: Kind, seed: u64) -> Result<Outcom
     Ok(Outcome {
         as_printed: printed_errors(&pair.records, &truth),
         subspace: subspace.and_then(|found| reconstruction_errors(&found, &truth)),
-        order_found: gap.and_then(|found| found.order).map(|order| order.order),
+        order_found: gap.and_then(|found| found.order().map(|order| order.order)),
         likelihood,
         bound: bound(simulator, &pair)?,
     })
@@ -64,15 +62,15 @@ pub(super) fn run(simulator: &Simulator, kind: Kind, seed: u64) -> Result<Outcom
 fn judged(
     simulator: &Simulator,
     pair: &Pair,
-    fit: &LikelihoodFit,
-    modes: &[ModeEstimate; 3],
+    fit: &likelihood::Fit,
+    modes: &[likelihood::Mode; 3],
 ) -> Result<Likelihood, TaskError> {
     let truth = simulator.aircraft.modes;
     let mut judged = JudgedFit::new(fit, modes, &truth);
     let under_truth = evaluated(pair, &fit.model, fit.hold)?;
     judged.chi_squared = under_truth.chi_squared.per_degree_of_freedom();
     // The intervals of the real modes from the likelihood itself, where they have an end.
-    let intervals = profile_intervals(&pair.records, fit, &LikelihoodOptions::default())
+    let intervals = profile_intervals(&pair.records, fit, &likelihood::Options::default())
         .map_err(TaskError::computation(PART))?;
     for ((mode, covered), truth) in modes.iter().zip(&mut judged.covered).zip(truth.list()) {
         let place = fit.modes.iter().position(|other| other == mode);
@@ -83,26 +81,26 @@ fn judged(
     Ok(Likelihood { fit: judged, missed: missed(simulator, pair, fit)? })
 }
 
-/// Whether the search ended below the top that the true system leads to.
-fn missed(simulator: &Simulator, pair: &Pair, fit: &LikelihoodFit) -> Result<bool, TaskError> {
-    // Searches end closer to a top than this.
-    const SAME_TOP: f64 = 0.1;
-    let mut options = LikelihoodOptions::default();
+/// Whether the search ended in a worse local optimum than the one that the true system leads to.
+fn missed(simulator: &Simulator, pair: &Pair, fit: &likelihood::Fit) -> Result<bool, TaskError> {
+    // Searches end closer to a local optimum than this.
+    const SAME_OPTIMUM: f64 = 0.1;
+    let mut options = likelihood::Options::default();
     let levels = fit.noise_levels.iter().flatten().map(|level| level.value).collect();
-    options.noise = LikelihoodNoise::Estimated { first_guess: Some(levels) };
+    options.noise = likelihood::Noise::Estimated { first_guess: Some(levels) };
     options.hold = Some(fit.hold);
-    options.largest_moves = 0;
+    options.search.max_restarts = 0;
     let objective = |start: &SharedModel| {
-        let fit = maximise(&pair.records, std::slice::from_ref(start), &options)
+        let fit = likelihood::identify(&pair.records, std::slice::from_ref(start), &options)
             .map_err(TaskError::computation(PART))?;
         Ok::<_, TaskError>(fit.starts[0].objective)
     };
-    Ok(objective(&fit.model)? > objective(&simulator.aircraft.shared_model())? + SAME_TOP)
+    Ok(objective(&fit.model)? > objective(&simulator.aircraft.shared_model())? + SAME_OPTIMUM)
 }
 
 /// The likelihood of a model under the true noise levels, without a step of the search.
-fn evaluated(pair: &Pair, model: &SharedModel, hold: Hold) -> Result<LikelihoodFit, TaskError> {
-    search(&pair.records, model, LikelihoodNoise::Given(pair.levels.clone()), Some(hold), 0)
+fn evaluated(pair: &Pair, model: &SharedModel, hold: Hold) -> Result<likelihood::Fit, TaskError> {
+    search(&pair.records, model, likelihood::Noise::Given(pair.levels.clone()), Some(hold), 0)
 }
 
 /// The information bound: with known noise levels, for unknown inputs.

@@ -1,7 +1,8 @@
 //! What the printed method says beside the modes.
 
 use num_complex::Complex;
-use reconstruct::{AsPrinted, Identification};
+use reconstruct::paper;
+use reconstruct::paper::Identification;
 use serde::Serialize;
 
 use crate::json::Number;
@@ -22,7 +23,7 @@ pub(super) struct TransmissibilityOutput<'a> {
 }
 
 /// Those of all records and outputs, in the method's order.
-pub(super) fn transmissibilities(result: &AsPrinted) -> Vec<TransmissibilityOutput<'_>> {
+pub(super) fn transmissibilities(result: &paper::Solution) -> Vec<TransmissibilityOutput<'_>> {
     result.identifications.iter().map(transmissibility).collect()
 }
 

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use aircraft::FlyingQualityLevel;
 use num_complex::Complex;
-use reconstruct::{Estimate, Method};
+use reconstruct::Method;
+use reconstruct::likelihood::Estimate;
 use report::{Block, Column, Table, format_significant};
 
 use crate::CommandError;
@@ -66,7 +67,7 @@ fn table(
 }
 
 fn explanation(input: &Outcome<'_>) -> String {
-    let deviations = if input.result.method == Method::MaximumLikelihood {
+    let deviations = if input.result.method() == Method::MaximumLikelihood {
         "Numbers stand with one standard deviation; 1.96 of them are a 95 % interval."
     } else {
         "This method gives no deviations; maximum likelihood does."

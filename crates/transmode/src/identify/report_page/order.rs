@@ -1,6 +1,6 @@
 //! Why the order is what it is.
 
-use reconstruct::OrderEvidence;
+use reconstruct::subspace::OrderEvidence;
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points, Stems};
 
 use crate::CommandError;
@@ -13,7 +13,7 @@ const LARGEST_EIGENVALUES: usize = 40;
 
 pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Number of states")];
-    let Some(evidence) = &input.result.order else {
+    let Some(evidence) = input.result.order() else {
         blocks.push(Block::paragraph(
             "The method as printed shows no evidence for the order beside its zeros; the other methods do.",
         ));

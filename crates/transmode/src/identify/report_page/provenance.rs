@@ -44,7 +44,7 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
             quiet.samples()
         )));
     }
-    if let Some(levels) = &input.result.noise_levels {
+    if let Some(levels) = input.result.noise_levels() {
         let mut table = Table::new(
             "Noise of the sensors",
             [

@@ -1,6 +1,6 @@
 //! Is what is left over noise? Its spectrum, and whether it is white.
 
-use reconstruct::SpectralFit;
+use reconstruct::likelihood::SpectralFit;
 use report::{Axis, Band, Block, Figure, Guide, Ink, Line, Marker, Panel, Points};
 
 use super::style::{LARGEST_RECORDS, drawn, look};
@@ -25,7 +25,7 @@ pub(super) fn blocks(input: &Outcome<'_>, fits: &[SpectralFit]) -> Vec<Block> {
     let left_out = drawn(fits.len(), LARGEST_RECORDS, "records");
     blocks.extend(spectrum(shown, &left_out));
     blocks.extend(whiteness(input, shown, &left_out));
-    if let Some(goodness) = &input.result.goodness {
+    if let Some(goodness) = input.result.fit().map(|fit| fit.chi_squared) {
         let chance = goodness.p_value.map_or_else(
             || "; it is 1 by construction where noise levels are estimated".to_owned(),
             |p| format!(", larger with probability {}", report::format_significant(p, 2)),
@@ -147,7 +147,8 @@ fn numbers(fit: &SpectralFit, period_s: f64) -> f64 {
 }
 
 fn autocorrelations(input: &Outcome<'_>, fits: &[SpectralFit]) -> Option<Panel> {
-    let tests = input.result.whiteness.get(..input.result.whiteness.len().min(LARGEST_RECORDS))?;
+    let tests = input.result.whiteness();
+    let tests = &tests[..tests.len().min(LARGEST_RECORDS)];
     let lags =
         tests.iter().map(|test| test.autocorrelations.len()).max().filter(|lags| *lags > 0)?;
     let sizes = fits.iter().zip(input.records).map(|(fit, of)| numbers(fit, of.period().seconds()));

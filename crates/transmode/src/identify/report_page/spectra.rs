@@ -1,6 +1,7 @@
 //! The spectrum of each sensor beside what the model makes of it, and what is left over.
 
-use reconstruct::{Record, SpectralFit};
+use reconstruct::Record;
+use reconstruct::likelihood::SpectralFit;
 use report::{Axis, Block, Dash, Figure, Ink, Line, Panel};
 
 use super::residuals;

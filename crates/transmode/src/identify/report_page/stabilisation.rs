@@ -1,10 +1,8 @@
 //! Does the answer depend on choices that should not matter? Poles for many orders and several numbers of block rows.
 
 use lti::Mode;
-use reconstruct::{
-    Centring, Channel, DirectPath, Intersection, NoiseModel, Offsets, OrderChoice, Record,
-    SubspaceOptions, Trend, intersect,
-};
+use reconstruct::subspace::{Intersection, OrderChoice};
+use reconstruct::{Channel, NoiseModel, Record, subspace};
 use report::{Axis, Block, Figure, Fill, Guide, Ink, Marker, Panel, Points};
 
 use crate::CommandError;
@@ -35,7 +33,7 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let diagrams = diagrams(input);
     if diagrams.iter().all(|diagram| diagram.poles.is_empty()) {
         blocks.push(Block::paragraph(
-            "Signal subspaces do not intersect in these records for any order, so that there is nothing to compare.",
+            "Signal subspaces do not subspace::identify in these records for any order, so that there is nothing to compare.",
         ));
         return Ok(blocks);
     }
@@ -59,9 +57,9 @@ struct Pole {
 fn diagrams(input: &Outcome<'_>) -> Vec<Diagram> {
     let records: Vec<Record> = input.records.iter().filter_map(shortened).collect();
     let mut options = options(input);
-    let first = match &input.result.intersection {
+    let first = match input.result.intersection() {
         Some(first) if records.len() == input.records.len() => Some(first.clone()),
-        _ => intersect(&records, &options).ok(),
+        _ => subspace::identify(&records, &options).ok(),
     };
     let Some(first) = first else { return Vec::new() };
     if options.noise == NoiseModel::Estimated {
@@ -75,7 +73,7 @@ fn diagrams(input: &Outcome<'_>) -> Vec<Diagram> {
         for order in 1..=highest {
             options.order = OrderChoice::Fixed(order);
             // An error says that the records do not tell so many states with so many block rows.
-            let Ok(found) = intersect(&records, &options) else { continue };
+            let Ok(found) = subspace::identify(&records, &options) else { continue };
             let new = modes(&found).into_iter().map(|mode| pole(order, &mode, &poles));
             let new: Vec<Pole> = new.collect();
             poles.extend(new);
@@ -85,16 +83,11 @@ fn diagrams(input: &Outcome<'_>) -> Vec<Diagram> {
     numbers.into_iter().filter(|rows| *rows > 0).map(diagram).collect()
 }
 
-/// The options of the first stage of a reconstruction with the input's options.
-fn options(input: &Outcome<'_>) -> SubspaceOptions {
-    let mut options = SubspaceOptions::default();
-    let still = input.options.offsets == Offsets::Zero && input.options.trend == Trend::Absent;
-    options.centring = if still { Centring::None } else { Centring::Rows };
-    options.noise = input.options.noise.clone();
-    if !input.options.feedthrough_sensors.is_empty() {
-        options.direct_path = DirectPath::Present;
-    }
-    options.known_inputs = input.options.known_inputs.clone();
+/// The options of the first stage of a reconstruction with the input's options, whatever order and block rows it asked for.
+fn options(input: &Outcome<'_>) -> subspace::Options {
+    let any = subspace::Options::default();
+    let mut options = input.options.subspace();
+    (options.order, options.block_rows) = (any.order, any.block_rows);
     let inputs = options.known_inputs.iter_mut().flatten();
     inputs.for_each(|signal| signal.truncate(LARGEST_SAMPLES));
     options

@@ -43,7 +43,7 @@ fn sentences(input: &Outcome<'_>) -> String {
     };
     format!(
         "{what}. Found by {} in {records} of {} ({}), of which nobody gave the excitation. {trust}",
-        method(input.result.method),
+        method(input.result.method()),
         counted(names.len() as u64, "sensor"),
         names.join(", ")
     )
@@ -76,7 +76,7 @@ fn mode(found: &IdentifiedMode) -> String {
 
 pub(super) fn method(method: Method) -> &'static str {
     match method {
-        Method::AsPrinted => "the method as printed",
+        Method::Paper => "the method as printed",
         Method::Subspace => "the intersection of signal subspaces",
         _ => "maximum likelihood",
     }

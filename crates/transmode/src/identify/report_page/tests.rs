@@ -92,7 +92,7 @@ fn other_methods_say_what_they_cannot_show() {
     assert!(page.contains("come from maximum likelihood alone"));
     assert!(!names(&out).contains(&format!("{}.svg", transmissibility::ID)));
     // A report replaces an older one as a whole.
-    let page = report("noise_free", Method::AsPrinted, &out);
+    let page = report("noise_free", Method::Paper, &out);
     assert!(page.contains("has no model of all sensors"));
     assert!(!names(&out).contains(&format!("{}.svg", spectra::ID)));
     assert!(names(&out).contains(&format!("{}.svg", pole_map::ID)));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use reconstruct::{ComplexEstimate, FittedTransmissibility, fitted_transmissibilities};
+use reconstruct::likelihood::{ComplexEstimate, FittedTransmissibility, fitted_transmissibilities};
 use report::{Axis, Band, Block, Figure, Line, Panel};
 
 use super::style::{LARGEST_RECORDS, channel_name, drawn, look, ratio};
@@ -19,7 +19,7 @@ const LARGEST_PAIRS: usize = 9;
 
 pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::section("Transmissibilities")];
-    let Some(fit) = &input.result.likelihood else {
+    let Some(fit) = input.result.fit() else {
         blocks.push(Block::paragraph(
             "Transmissibilities with their confidence come from maximum likelihood alone.",
         ));

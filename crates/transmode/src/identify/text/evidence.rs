@@ -1,6 +1,6 @@
 //! What the modes rest on, where noise is reckoned with: order, noise levels, fit.
 
-use reconstruct::Hold;
+use reconstruct::likelihood::Hold;
 use report::format_significant;
 
 use crate::identify::outcome::Outcome;
@@ -23,7 +23,7 @@ pub(super) fn summary(outcome: &Outcome<'_>) -> String {
 }
 
 fn order(outcome: &Outcome<'_>) -> Option<String> {
-    let evidence = outcome.result.order.as_ref()?;
+    let evidence = outcome.result.order()?;
     let (order, gap) = (evidence.order, format_significant(evidence.gap, 2));
     if evidence.asked {
         return Some(format!("order: {order}, as asked for, with a gap of {gap}"));
@@ -51,19 +51,21 @@ fn noise(outcome: &Outcome<'_>) -> Option<String> {
         _ => return Some("noise: its spectrum is that of the quiet record".to_owned()),
     };
     let channels = outcome.records.first()?.channels();
-    let levels = outcome.result.noise_levels.iter().flatten();
-    let level =
-        |(index, (channel, level)): (usize, (&reconstruct::Channel, &reconstruct::Estimate))| {
-            let unit = outcome.unit(index).filter(|unit| !unit.is_empty());
-            let deviation = if level.deviation > 0.0 {
-                format!(" +- {}", format_significant(level.deviation, 2))
-            } else {
-                String::new()
-            };
-            let value = format_significant(level.value, 3);
-            let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
-            format!("{} {value}{deviation}{unit}", channel.name)
+    let levels = outcome.result.noise_levels().unwrap_or_default();
+    let level = |(index, (channel, level)): (
+        usize,
+        (&reconstruct::Channel, reconstruct::likelihood::Estimate),
+    )| {
+        let unit = outcome.unit(index).filter(|unit| !unit.is_empty());
+        let deviation = if level.deviation > 0.0 {
+            format!(" +- {}", format_significant(level.deviation, 2))
+        } else {
+            String::new()
         };
+        let value = format_significant(level.value, 3);
+        let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+        format!("{} {value}{deviation}{unit}", channel.name)
+    };
     let levels: Vec<_> = channels.iter().zip(levels).enumerate().map(level).collect();
     Some(format!("noise: {}; {origin}", levels.join(", ")))
 }
@@ -88,7 +90,7 @@ fn intervals(outcome: &Outcome<'_>) -> Option<String> {
 fn hold(outcome: &Outcome<'_>) -> Option<String> {
     // A likelihood ratio of e^3.
     const DECISIVE: f64 = 6.0;
-    let fit = outcome.result.likelihood.as_ref()?;
+    let fit = outcome.result.fit()?;
     let motion = match fit.hold {
         Hold::FirstOrder => "moves on straight",
         _ => "is held",
@@ -111,7 +113,7 @@ fn band(outcome: &Outcome<'_>) -> Option<String> {
 }
 
 fn fit(outcome: &Outcome<'_>) -> Option<String> {
-    let goodness = outcome.result.goodness.as_ref()?;
+    let goodness = outcome.result.fit()?.chi_squared;
     // Where the level was chosen for want of noise, the size of the residuals says nothing.
     if outcome.noise_origin() == Some("rounding") {
         return None;

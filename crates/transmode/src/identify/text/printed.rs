@@ -1,10 +1,10 @@
 //! What the printed method says of its own on the terminal.
 
-use reconstruct::AsPrinted;
+use reconstruct::paper;
 use report::{format_conjugate_pair, format_significant};
 
 /// What the modes rest on, in a line or two.
-pub(super) fn summary(result: &AsPrinted) -> String {
+pub(super) fn summary(result: &paper::Solution) -> String {
     let worst_residual =
         result.identifications.iter().map(|found| found.fit.relative_residual).fold(0.0, f64::max);
     let fits = || result.identifications.iter().map(|found| &found.fit);

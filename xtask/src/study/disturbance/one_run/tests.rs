@@ -33,11 +33,9 @@ fn in_rough_air_it_is_what_makes_the_fit_good() {
 #[test]
 fn doubts_go_by_their_names() {
     let doubts = [
-        ReconstructionDoubt::LevelsNotSettled { updates: 3 },
-        ReconstructionDoubt::Subspace(reconstruct::SubspaceDoubt::NoExcitation {
-            record: "a".to_owned(),
-        }),
-        ReconstructionDoubt::LevelsNotSettled { updates: 4 },
+        Doubt::Likelihood(likelihood::Doubt::LevelsNotSettled { updates: 3 }),
+        Doubt::Subspace(reconstruct::subspace::Doubt::NoExcitation { record: "a".to_owned() }),
+        Doubt::Likelihood(likelihood::Doubt::LevelsNotSettled { updates: 4 }),
     ];
     assert_eq!(doubt_names(&doubts), ["LevelsNotSettled", "NoExcitation"]);
 }

@@ -63,7 +63,7 @@ fn an_input_that_is_not_held_is_found_to_move_on() {
     let mut options = Options::default();
     options.order = ORDER;
     options.hold = Some(Hold::ZeroOrder);
-    let held = reconstruct::reconstruct(&pair.records, &options).unwrap().likelihood.unwrap();
+    let held = reconstruct::reconstruct(&pair.records, &options).unwrap().fit().unwrap().clone();
     let chi_squared = evaluated(&pair, &held.model, held.hold).unwrap().chi_squared;
     assert!(chi_squared.per_degree_of_freedom() > 1.5, "{chi_squared:?}");
 }

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use reconstruct::{FrequencyBand, Options, OrderChoice, reconstruct, spectral_fits};
+use reconstruct::likelihood::FrequencyBand;
+use reconstruct::subspace::OrderChoice;
+use reconstruct::{Options, reconstruct, spectral_fits};
 
 use super::*;
 use crate::records::{LoadOptions, Progress, load};
