@@ -134,7 +134,7 @@ impl Fit {
         solution: &Solution,
     ) -> Result<Self, FitError> {
         let degrees_of_freedom = counts.equations - solution.rank;
-        let free = (degrees_of_freedom > 0).then(|| degrees_of_freedom as f64);
+        let free = (degrees_of_freedom > 0).then_some(degrees_of_freedom as f64);
         let deviation = free.map_or(0.0, |free| solution.residual_norm / free.sqrt());
         // Deviation over norm first: each alone may be near the end of the range.
         let unit = |(factor, exponent): &(f64, i32)| {

@@ -13,8 +13,10 @@
 #[must_use]
 #[inline]
 pub fn exponent(x: f64) -> i32 {
-    let biased = (x.to_bits() >> 52) & 0x7ff;
-    i32::try_from(biased).expect("eleven bits").max(1) - 1023
+    // A sign, eleven bits of exponent, and the first four of the fraction.
+    let [first, second, ..] = x.to_be_bytes();
+    let biased = (u16::from_be_bytes([first, second]) >> 4) & 0x7ff;
+    i32::from(biased.max(1)) - 1023
 }
 
 /// 2^exponent, exactly; zero or infinite where the range of doubles ends.

@@ -3,7 +3,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::{penalised::Penalised, program::hankel_shape, *};
-use crate::{CfiModel, ConstantTerm, FitOptions, Orders, Segment, Structure};
+use crate::{CfiModel, ConstantTerm, FitError, FitOptions, Orders, Segment, Structure};
 
 fn noise(samples: usize, seed: u64) -> Vec<f64> {
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
