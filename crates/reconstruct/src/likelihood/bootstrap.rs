@@ -51,6 +51,29 @@ pub struct BootstrapMode {
 /// # Errors
 ///
 /// Those of [`identify`](crate::likelihood::identify) for records and options, and [`ReconstructError::Option`] for fewer than two repetitions or where fewer than two could be told.
+///
+/// # Example
+///
+/// Two records of x1 and x2, which decay by 0.9 and 0.5 a step; three sensors read x1 + x2, x1 - x2 and x1 + 3 x2 with noise of 0.01. The first
+/// record is excited through b = (1, 1), the second through b = (1, 2).
+///
+/// ```
+#[doc = include_str!("../doctest/two_decays.md")]
+/// use reconstruct::likelihood::{Bootstrap, Options, bootstrap, identify};
+/// use reconstruct::subspace;
+///
+/// let records = two_decays(0.9, 300, 0.01)?;
+/// let start = subspace::identify(&records, &subspace::Options::default())?.model;
+/// let options = Options::default();
+/// let fit = identify(&records, &[start], &options)?;
+/// let mut random = flight::Stream::new(1, 1);
+/// let Bootstrap { modes, lost, .. } = bootstrap(&records, &fit, &options, 30, &mut || random.normal())?;
+/// assert_eq!(lost, 0);
+/// // The scatter of the slow mode agrees with its standard error within the sampling error of 30 repetitions.
+/// let ratio = modes[1].continuous.real_deviation() / fit.modes[1].continuous.real_deviation();
+/// assert!((0.5..2.0).contains(&ratio), "{ratio}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn bootstrap(
     records: &[Record],
     fit: &Fit,

@@ -67,14 +67,14 @@ fn each_method_can_be_chosen() {
     let mut options = Options { method: Method::Paper, ..Options::default() };
     let printed = reconstruct(&pair("noise_free"), &options).unwrap();
     assert_eq!(printed.modes.len(), 3);
-    assert!(printed.paper().is_some() && printed.model().is_none());
+    assert!(matches!(printed.details, Details::Paper(_)) && printed.model().is_none());
     assert!(misses(&printed).iter().all(|(distance, _)| *distance < 1e-7));
     let noisy = pair("white_snr100");
     assert!(!reconstruct(&noisy, &options).unwrap().doubts.is_empty());
 
     options.method = Method::Subspace;
     let subspace = reconstruct(&noisy, &options).unwrap();
-    assert!(subspace.fit().is_none() && subspace.paper().is_none());
+    assert!(matches!(subspace.details, Details::Subspace { .. }) && subspace.fit().is_none());
     assert_eq!(subspace.modes.len(), 3);
     assert!(misses(&subspace).iter().all(|(distance, _)| *distance < 0.02));
     options.method = Method::MaximumLikelihood;
