@@ -12,7 +12,7 @@ mod substitution;
 /// the column farthest from those before it next.
 ///
 /// Squaring X doubles the digits that its condition number costs; the doubled precision of G and L pays for it. So L' is the triangle of a QR
-/// factorisation of X S P to the digits of a double, as long as the condition number stays below the inverse root of [`Gram::rounding`], about 1e14.
+/// factorisation of X S P to the digits of a double, as long as the condition number stays below the inverse root of [`Gram::rounding`](crate::Gram::rounding), about 1e14.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cholesky {
     /// Column-major with `stride` rows to a column, lower triangle, rows and columns in pivot order; columns from `found` on and what is above the diagonal

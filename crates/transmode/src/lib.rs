@@ -30,7 +30,7 @@ use records::Progress;
 pub use colors::Terminals;
 pub use error::CommandError;
 pub use exit::Exit;
-pub use output::{end_between_files, write_whole};
+pub use output::end_between_files;
 
 /// Carries out a command line, the program's name first. Results go to `out`, errors to `err`, both without colours unless `--color always` asks for them.
 ///
