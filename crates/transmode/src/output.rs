@@ -47,7 +47,11 @@ pub(crate) fn write_result(
 /// # Errors
 ///
 /// [`CommandError::Write`] with the file and what the operating system says.
-pub(crate) fn write_whole(file: &Path, bytes: &[u8], out: &mut dyn Write) -> Result<(), CommandError> {
+pub(crate) fn write_whole(
+    file: &Path,
+    bytes: &[u8],
+    out: &mut dyn Write,
+) -> Result<(), CommandError> {
     write_with(file, bytes, out, || Ok(()))
 }
 
