@@ -8,6 +8,7 @@
 //! | `sections.rs` | what the documents have in common: sections, tables, figures of errors and coverage |
 
 mod campaign;
+mod definition;
 mod disturbance;
 mod fit;
 mod kept_runs;

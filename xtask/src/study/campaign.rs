@@ -4,52 +4,11 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use report::Document;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
-
+use super::definition::Study;
 use super::kept_runs;
 use crate::TaskError;
 use crate::shared::page::{Page, Pictures};
 use crate::shared::parallel::{all_cores, progress};
-
-/// What a study provides. All else, from the command line through the runs to the page, is the same
-/// for every study.
-///
-/// A new study is this trait, a variant of [`Which`](super::Which), a line of [`run`](super::run),
-/// and the page under docs that its `--update` writes.
-pub(super) trait Study: Sized + Sync {
-    /// The word after `cargo xtask study`.
-    const NAME: &'static str;
-    /// Changes whenever the records or the methods change, so that no page mixes old and new runs.
-    const EDITION: u32;
-    /// Seeds of each kind of record in the page under docs.
-    const SEEDS: u64;
-    /// Seeds with `--quick`.
-    const QUICK_SEEDS: u64;
-    /// A kind of record: all that is varied but the seed. In JSON an object, without a field
-    /// `seed`.
-    type Kind: Copy + PartialEq + Send + Sync + Serialize + DeserializeOwned;
-    /// What one run leaves behind. In JSON an object, without a field `edition` or `case`.
-    type Outcome: Send + Serialize + DeserializeOwned;
-
-    /// What all runs need.
-    fn new() -> Result<Self, TaskError>;
-
-    /// All kinds, in the order of the document.
-    fn kinds(&self) -> Vec<Self::Kind>;
-
-    /// One run, which depends on nothing but its kind and its seed.
-    fn run(&self, kind: Self::Kind, seed: u64) -> Result<Self::Outcome, TaskError>;
-
-    /// What all runs say. `command` is what was typed. [`sections`](super::sections) has what
-    /// documents have in common.
-    fn document(&self, runs: &Runs<Self>, seeds: u64, command: &str)
-    -> Result<Document, TaskError>;
-}
-
-/// All kinds of a study with the outcomes of their runs.
-pub(super) type Runs<S> = Vec<(<S as Study>::Kind, Vec<<S as Study>::Outcome>)>;
 
 /// How much of a study to do, and where it goes.
 #[derive(Debug, clap::Args)]

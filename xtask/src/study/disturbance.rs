@@ -14,7 +14,7 @@ use num_complex::Complex;
 use report::Document;
 use serde::{Deserialize, Serialize};
 
-use super::campaign::{Runs, Study};
+use super::definition::{Runs, Study};
 use super::sections::sections;
 use crate::TaskError;
 use flights::Simulator;

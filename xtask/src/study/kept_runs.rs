@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use indicatif::ProgressBar;
 use serde::{Deserialize, Serialize};
 
-use super::campaign::{Runs, Study};
+use super::definition::{Runs, Study};
 use crate::TaskError;
 use crate::shared::parallel::in_parallel;
 

@@ -9,7 +9,7 @@ mod summary;
 use report::Document;
 use serde::{Deserialize, Serialize};
 
-use super::campaign::{Runs, Study};
+use super::definition::{Runs, Study};
 use super::sections::sections;
 use crate::TaskError;
 use crate::shared::noisy_flights::{Excitation, Simulator};
