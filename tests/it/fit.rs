@@ -13,13 +13,10 @@ fn json(words: &[&str]) -> (Exit, Value) {
     (ran.exit, serde_json::from_str(&ran.out).unwrap())
 }
 
-/// Numbers between -0.5 and 0.5 that repeat after 2^32 calls.
-fn noise(seed: u32) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(state) / f64::from(u32::MAX) - 0.5
-    }
+/// White noise as large as that of numbers spread evenly between -0.5 and 0.5.
+fn noise(seed: u64) -> impl FnMut() -> f64 {
+    let mut random = flight::Stream::new(seed, 0);
+    move || random.normal() / 12.0_f64.sqrt()
 }
 
 /// Columns beta, p and r of a shipped record with noise of a hundredth.

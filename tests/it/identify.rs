@@ -119,16 +119,15 @@ fn noise_is_told_and_the_exit_code_says_it() {
     let folder = Folder::new();
     let noisy = noise_free().map(|file| {
         let text = std::fs::read_to_string(&file).unwrap();
-        let mut state = 99_u32;
+        let mut random = flight::Stream::new(99, 0);
         let mut lines = text.lines();
         let mut changed = format!("{}\n", lines.next().unwrap());
         for line in lines {
             let mut fields = line.split(',');
             changed += fields.next().unwrap();
             for field in fields {
-                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                let noise = f64::from(state) / f64::from(u32::MAX) - 0.5;
-                changed += &format!(",{}", field.parse::<f64>().unwrap() + 0.1 * noise);
+                let noisy = field.parse::<f64>().unwrap() + 0.03 * random.normal();
+                changed += &format!(",{noisy}");
             }
             changed.push('\n');
         }

@@ -3,7 +3,8 @@
 //! | file | what it does |
 //! |---|---|
 //! | `noise.rs`, `disturbance.rs` | the studies: what is varied, how records are made, what is asked of the methods, what is written |
-//! | `campaign.rs`, `kept_runs.rs` | what a study provides, and how it gets from the command line through all runs to a page |
+//! | `definition.rs` | what a study provides |
+//! | `campaign.rs`, `kept_runs.rs` | how a study gets from the command line through all runs to a page |
 //! | `fit.rs`, `statistics.rs` | how far off one fit is and what it states about itself; what many say together |
 //! | `sections.rs` | what the documents have in common: sections, tables, figures of errors and coverage |
 

@@ -14,7 +14,7 @@
 //!
 //! with w = 2 inside and 1 at frequency zero and half the sampling frequency. Of the n^2 + m n + J n parameters in (A, C, b_j), n J + m n - J can be
 //! identified: a change of basis and the scale of each b_j change nothing. d_j is free for sensors with feedthrough; where the excitation moves on
-//! straight between samples, the other sensors' follows from A, C and b_j.
+//! straight between samples, the entries of d_j of the other sensors follow from A, C and b_j.
 //!
 //! | room | the question it answers |
 //! |---|---|

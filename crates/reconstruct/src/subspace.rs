@@ -3,6 +3,7 @@
 mod dense;
 mod diagnosis;
 mod direction;
+mod doubt;
 mod evidence;
 mod excitation;
 mod factor;
@@ -14,9 +15,9 @@ mod realisation;
 mod sources;
 mod whitening;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-pub use diagnosis::Doubt;
+pub use doubt::Doubt;
 pub use evidence::{Intersection, Mode, NoiseEvidence, NoiseOrigin, RecordEvidence};
 pub use excitation::ExcitationRank;
 pub use options::{Centring, DirectPath, Options, OrderChoice};
@@ -311,9 +312,6 @@ impl Engine<'_> {
         readings
     }
 }
-
-/// Directions of the stacked sensors, one a column.
-type Directions = DMatrix<f64>;
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! One study from the command line to its page: which cases, on how many threads, kept and written
+//! One study from the command line to its page: which kinds, on how many threads, kept and written
 //! where.
 
 use std::io::Write;

@@ -5,7 +5,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::identify::identify;
-use super::inference::refit::{Finished, finished};
+use super::inference::refit::{Refit, refit};
 use super::inference::uncertainty::ComplexEstimate;
 use crate::likelihood::cost::feedback::feedback;
 use crate::likelihood::cost::parameters::System;
@@ -87,7 +87,7 @@ pub fn bootstrap(
     let again = refitted(fit, options);
     let starts = std::slice::from_ref(&fit.model);
     let mut planner = RealFftPlanner::new();
-    let Finished { problem, evaluation, units } = finished(records, fit, options, &mut planner)?;
+    let Refit { problem, evaluation, units } = refit(records, fit, options, &mut planner)?;
     let parts = problem
         .spectra
         .iter()

@@ -6,6 +6,7 @@
 //! | `parameters.rs` | the unknowns, and where each of them stands in the vector of parameters |
 //! | `first_order_hold.rs` | d_j of an excitation that moves between samples |
 //! | `feedback.rs`, `record_system.rs`, `schur_form.rs` | the system as one record sees it, prepared for the loop over frequencies |
+//! | `resolvent.rs` | (zI - A)^-1 at one frequency, for the input directions |
 //! | `frequency_block.rs`, `simd.rs` | everything at eight frequencies |
 //! | `sums.rs`, `accumulate.rs` | the sums over frequencies |
 //! | `evaluation.rs` | cost, gradient and Gram matrix of all records; t_j eliminated |

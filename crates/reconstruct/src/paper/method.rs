@@ -1,4 +1,4 @@
-//! The printed method: transmissibilities of several records, their differences, the zeros they share, continuous time.
+//! The paper's method: transmissibilities of several records, their differences, the zeros they share, continuous time.
 
 use lti::{SamplePeriod, z_to_s};
 use num_complex::Complex;
@@ -10,7 +10,7 @@ use crate::error::check_tolerance;
 use crate::model::record::{check_compatible, refuse_constant_channels};
 use crate::{ReconstructError, Record};
 
-/// How to carry out the printed method.
+/// How to carry out the paper's method.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Options {
@@ -182,7 +182,7 @@ pub struct Mode {
     pub shape: Vec<Complex<f64>>,
 }
 
-/// What the printed method makes of several records.
+/// What the paper's method makes of several records.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Solution {
@@ -192,18 +192,18 @@ pub struct Solution {
     pub differences: Vec<Difference>,
     /// The zeros that all differences share: the eigenvalues of the sampled system.
     pub shared: SharedZeros,
-    /// The eigenvalues of the system with their shapes, one for each shared zero that is not [`blind`](Solution::blind), in their order.
+    /// The eigenvalues of the system with their shapes, one for each shared zero that is not [`unobservable_zeros`](Solution::unobservable_zeros), in their order.
     pub modes: Vec<Mode>,
     /// Shared zeros that every transmissibility has as a pole: there the pseudo input reads nothing in any record, so the determinant vanishes
     /// whether or not the system has an eigenvalue. They are no modes. The root of D at 0 is one where it does not cancel.
-    pub blind: Vec<Complex<f64>>,
+    pub unobservable_zeros: Vec<Complex<f64>>,
     /// The sample period of the records.
     pub period: SamplePeriod,
     /// Why the result should not be trusted; empty if there is no such reason.
     pub doubts: Vec<Doubt>,
 }
 
-/// Reconstructs the eigenvalues of a system from two or more records by the printed method.
+/// Reconstructs the eigenvalues of a system from two or more records by the paper's method.
 ///
 /// Channel 0 of each record is the pseudo input, every other channel a pseudo output. Each pair of records gives one difference of
 /// transmissibilities for each pseudo output; the eigenvalues are the zeros that all differences share (Theorem 3.1; part VI).
@@ -281,15 +281,17 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Solution, Recon
     let lists: Vec<_> = differences.iter().map(|difference| difference.zeros.clone()).collect();
     let shared = shared_zeros(&lists, options.shared_tolerance)?;
     let period = first.period();
-    let (mut modes, mut blind) = (Vec::new(), Vec::new());
+    let (mut modes, mut unobservable_zeros) = (Vec::new(), Vec::new());
     for (index, zero) in shared.values().into_iter().enumerate() {
         // Only 0 has no logarithm, and it is a root of every D.
         match z_to_s(zero, period) {
-            Ok(eigenvalue) if !is_blind(zero, &identifications, options.shared_tolerance) => {
+            Ok(eigenvalue)
+                if !is_unobservable(zero, &identifications, options.shared_tolerance) =>
+            {
                 let shape = mode_shape(zero, &identifications, sensors);
                 modes.push(Mode { eigenvalue, shared: index, shape });
             }
-            _ => blind.push(zero),
+            _ => unobservable_zeros.push(zero),
         }
     }
     let mut doubts = doubts_of_fits(&identifications, options);
@@ -297,7 +299,7 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Solution, Recon
         doubts.insert(0, Doubt::NoSharedZero);
     }
     doubts.extend(modes.iter().filter_map(|mode| spread_doubt(mode, &shared, period, options)));
-    Ok(Solution { identifications, differences, shared, modes, blind, period, doubts })
+    Ok(Solution { identifications, differences, shared, modes, unobservable_zeros, period, doubts })
 }
 
 /// 1 and T(z) for each pseudo output, from the record whose denominators are farthest from zero at z.
@@ -321,7 +323,7 @@ fn mode_shape(
 }
 
 /// Whether every transmissibility has a pole there.
-fn is_blind(zero: Complex<f64>, identifications: &[Identification], tolerance: f64) -> bool {
+fn is_unobservable(zero: Complex<f64>, identifications: &[Identification], tolerance: f64) -> bool {
     identifications
         .iter()
         .all(|found| found.poles.iter().any(|pole| (pole - zero).norm() <= tolerance))

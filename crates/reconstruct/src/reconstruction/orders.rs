@@ -3,8 +3,9 @@
 //! Samples that follow each other quickly, and excitation of few frequencies, make the gap behind the slow modes the smaller one. Disturbances make orders that are too high
 //! more likely, so a higher order is used only if it leaves nothing of the fit to doubt.
 
+use super::doubt::{self, Doubt};
+use super::options::Options;
 use super::starts::{self, FirstStage};
-use super::{Doubt, Options, doubt};
 use crate::likelihood::{Fit, SearchOptions};
 use crate::subspace::{OrderChoice, OrderEvidence, WEAK_GAP};
 use crate::{ReconstructError, Record, likelihood, subspace};

@@ -1,12 +1,13 @@
 //! The records' spectra beside those of the reconstructed system.
 
-use super::{Options, Reconstruction};
+use super::options::Options;
+use super::result::Reconstruction;
 use crate::likelihood::{SpectralFit, spectral_fit};
 use crate::{ReconstructError, Record};
 
 /// The spectrum of every record beside what a reconstruction makes of it: the response to the excitation's estimate, the noise, and the residuals.
 ///
-/// Records and options are those of the reconstruction. The list is empty for the printed method, which has no model of all sensors.
+/// Records and options are those of the reconstruction. The list is empty for the paper's method, which has no model of all sensors.
 ///
 /// # Errors
 ///
@@ -39,7 +40,7 @@ pub fn spectral_fits(
         return Ok(Vec::new());
     };
     let levels: Vec<f64> = found.noise_levels().iter().flatten().map(|level| level.value).collect();
-    // Under a first-order hold all sensors do.
+    // Under a first-order hold every sensor has an entry of d_j.
     let feedthrough = &options.measurement.feedthrough_sensors;
     let direct = found.fit().map_or(feedthrough, |fit| &fit.feedthrough_sensors);
     spectral_fit(records, model, &levels, direct, &options.likelihood(records, first)?)

@@ -1,6 +1,7 @@
 //! The first stage with several numbers of block rows: the order that they agree on, and where the likelihood starts.
 
-use super::{Doubt, Options};
+use super::doubt::Doubt;
+use super::options::Options;
 use crate::subspace::{Intersection, NoiseOrigin, OrderChoice, OrderEvidence, WEAK_GAP, best};
 use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
 

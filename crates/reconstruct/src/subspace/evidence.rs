@@ -1,12 +1,13 @@
 //! The result: a model, and what is needed to doubt it.
 
+use nalgebra::DMatrix;
 use num_complex::Complex;
 
 use super::dense::Eigen;
+use super::doubt::Doubt;
 use super::excitation::ExcitationRank;
 use super::order::OrderEvidence;
 use super::realisation::eigenvector;
-use super::{Directions, Doubt};
 use crate::{ReconstructError, SharedModel};
 
 /// What [`identify`](super::identify) makes of several records.
@@ -93,10 +94,10 @@ pub struct RecordEvidence {
     pub ambiguity: f64,
 }
 
-/// The modes of the model, with their strength in each record. `common` holds the observability matrix in whitened coordinates.
+/// The modes of the model, with how strongly each record excites them. `common` holds the observability matrix in whitened coordinates.
 pub(super) fn modes(
     model: &SharedModel,
-    common: &Directions,
+    common: &DMatrix<f64>,
     spectra: &[Eigen],
 ) -> Result<Vec<Mode>, ReconstructError> {
     let poles = model.poles().map_err(|error| ReconstructError::Step {
@@ -118,7 +119,7 @@ pub(super) fn modes(
 }
 
 /// `1 / sum_k |v_k' o|^2 / w_k` for a complex direction o.
-fn capon(spectrum: &Eigen, parts: [&Directions; 2]) -> f64 {
+fn capon(spectrum: &Eigen, parts: [&DMatrix<f64>; 2]) -> f64 {
     let largest = spectrum.values.last().copied().unwrap_or(1.0);
     // Rounding errors can make a value vanish or negative.
     let floor = f64::EPSILON * f64::EPSILON * largest + f64::MIN_POSITIVE;

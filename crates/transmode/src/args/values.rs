@@ -14,7 +14,8 @@ pub(crate) enum MethodName {
     Ml,
     /// Intersection of signal subspaces: closed form, no deviations.
     Subspace,
-    /// The printed method, for records without noise.
+    /// The method of the paper, as printed there, for records without noise.
+    #[value(alias = "paper")]
     AsPrinted,
 }
 

@@ -32,15 +32,15 @@ pub(crate) enum Scalars {
 /// Adds up one record.
 pub(crate) fn accumulate(
     record: &RecordSpectrum,
-    seen: &RecordSystem,
+    system: &RecordSystem,
     scalars: Scalars,
     keep_spectrum: bool,
     threads: usize,
 ) -> Sums {
-    let (n, m) = (seen.b.len(), seen.d.len());
+    let (n, m) = (system.b.len(), system.d.len());
     let count = n + 1 + record.entries.len();
     let mut all = Sums::zero(n, m, count, keep_spectrum);
-    let Some(tables) = SchurForm::new(record, seen) else {
+    let Some(schur) = SchurForm::new(record, system) else {
         // Without a Schur form there is no cost: NaN is never below anything.
         all.cost = f64::NAN;
         return all;
@@ -56,7 +56,7 @@ pub(crate) fn accumulate(
         pulp::Arch::new().dispatch(Loop {
             record,
             frequencies: share.clone(),
-            tables: &tables,
+            schur: &schur,
             scalars,
             totals: &mut totals,
             sums: &mut sums,
@@ -83,7 +83,7 @@ struct Loop<'a> {
     record: &'a RecordSpectrum,
     /// From a multiple of [`WIDTH`] on.
     frequencies: Range<usize>,
-    tables: &'a SchurForm,
+    schur: &'a SchurForm,
     scalars: Scalars,
     totals: &'a mut Totals,
     sums: &'a mut Sums,
@@ -100,12 +100,12 @@ impl pulp::WithSimd for Loop<'_> {
 
 #[inline(always)]
 fn add_up(parts: Loop<'_>) {
-    let Loop { record, frequencies, tables, scalars, totals, sums } = parts;
+    let Loop { record, frequencies, schur, scalars, totals, sums } = parts;
     let mut tile = Tile::new(sums.real.nrows(), sums.real.ncols());
-    let mut at = FrequencyBlock::new(tables);
+    let mut at = FrequencyBlock::new(schur);
     for first in frequencies.clone().step_by(WIDTH) {
-        at.load(record, tables, first);
-        at.evaluate(record, tables);
+        at.load(record, schur, first);
+        at.evaluate(record, schur);
         let cost = at.weight * at.cost();
         totals.cost += cost;
         if let Some(spectrum) = &mut sums.spectrum {
@@ -113,8 +113,8 @@ fn add_up(parts: Loop<'_>) {
         }
         at.add_levels(totals);
         match scalars {
-            Scalars::Estimated => at.estimated_scalars(tables),
-            Scalars::NoisePart => at.noise_scalars(tables),
+            Scalars::Estimated => at.estimated_scalars(schur),
+            Scalars::NoisePart => at.noise_scalars(schur),
         }
         at.add_moments(totals);
         at.fill(&mut tile);

@@ -81,7 +81,7 @@ impl Problem {
     ) -> Sums {
         let (b, d) = (&system.b[record], &system.d[record]);
         let gain = feedback(&system.a, b);
-        let seen = RecordSystem {
+        let record_system = RecordSystem {
             a: &system.a + b * gain.transpose(),
             c: &system.c + d * gain.transpose(),
             b: b.clone(),
@@ -90,7 +90,7 @@ impl Problem {
             coefficients: coefficients[record].clone(),
             variances: variances.to_vec(),
         };
-        accumulate(&self.spectra[record], &seen, scalars, keep_spectrum, self.threads)
+        accumulate(&self.spectra[record], &record_system, scalars, keep_spectrum, self.threads)
     }
 
     /// Evaluates the likelihood with what known signals explain at its best: once to find that, once around it.

@@ -1,4 +1,4 @@
-//! Everything that the sums need at one frequency, for eight frequencies at a time. The symbols are those of `sums.rs`.
+//! Everything that the sums need at one frequency, for eight frequencies at a time. The symbols are those of `accumulate.rs`.
 
 use super::schur_form::SchurForm;
 use super::simd::{Lanes, Real, WIDTH};
@@ -41,8 +41,8 @@ pub(crate) struct FrequencyBlock {
 }
 
 impl FrequencyBlock {
-    pub(crate) fn new(tables: &SchurForm) -> Self {
-        let (n, m, factors) = (tables.n, tables.m, tables.factors);
+    pub(crate) fn new(schur: &SchurForm) -> Self {
+        let (n, m, factors) = (schur.n, schur.m, schur.factors);
         let zeros = |length: usize| vec![Lanes::ZERO; length];
         Self {
             n,
@@ -57,7 +57,7 @@ impl FrequencyBlock {
             sg: zeros(m),
             inverse_gain: Real::ZERO,
             precision: zeros(m * m),
-            diagonal: tables.diagonal,
+            diagonal: schur.diagonal,
             e: zeros(m),
             pe: zeros(m),
             u: Lanes::ZERO,
@@ -70,8 +70,8 @@ impl FrequencyBlock {
 
     /// The data; lanes beyond the last frequency repeat it with weight zero.
     #[inline(always)]
-    pub(crate) fn load(&mut self, record: &RecordSpectrum, tables: &SchurForm, first: usize) {
-        let (m, factors) = (self.m, tables.factors);
+    pub(crate) fn load(&mut self, record: &RecordSpectrum, schur: &SchurForm, first: usize) {
+        let (m, factors) = (self.m, schur.factors);
         let last = record.frequencies() - 1;
         self.z = Lanes::gather(&record.z, first, 1, last);
         self.weight = Real(std::array::from_fn(|k| {
@@ -90,20 +90,20 @@ impl FrequencyBlock {
             }
         } else {
             for s in 0..m {
-                self.precision[s].re = Real::all(tables.white[s]);
+                self.precision[s].re = Real::all(schur.white[s]);
                 if first == 0 && record.starts_at_zero {
-                    self.precision[s].re.0[0] = tables.white_at_zero[s];
+                    self.precision[s].re.0[0] = schur.white_at_zero[s];
                 }
             }
         }
     }
 
     #[inline(always)]
-    pub(crate) fn evaluate(&mut self, record: &RecordSpectrum, tables: &SchurForm) {
+    pub(crate) fn evaluate(&mut self, record: &RecordSpectrum, schur: &SchurForm) {
         let (n, m) = (self.n, self.m);
-        let floor = Real::all(tables.floor);
+        let floor = Real::all(schur.floor);
         for (i, pivot) in self.pivots.iter_mut().enumerate() {
-            let mut difference = self.z - Lanes::all(tables.t[i * n + i]);
+            let mut difference = self.z - Lanes::all(schur.t[i * n + i]);
             // z is an eigenvalue to working precision: the solution then points along its eigenvector.
             for k in 0..WIDTH {
                 let (re, im) = (difference.re.0[k], difference.im.0[k]);
@@ -115,14 +115,14 @@ impl FrequencyBlock {
             *pivot = difference.conj().scale(inverse);
         }
         for s in 0..m {
-            self.row_of_h(s, tables);
-            let mut g = Lanes { re: Real::all(tables.d[s]), im: Real::ZERO };
+            self.row_of_h(s, schur);
+            let mut g = Lanes { re: Real::all(schur.d[s]), im: Real::ZERO };
             for l in 0..n {
-                g += self.h[s * n + l].scale(Real::all(tables.b[l]));
+                g += self.h[s * n + l].scale(Real::all(schur.b[l]));
             }
             self.g[s] = g;
         }
-        self.subtract_known(record, tables);
+        self.subtract_known(record, schur);
         for s in 0..m {
             self.sg[s] = self.weighted(s, &self.g);
         }
@@ -152,19 +152,19 @@ impl FrequencyBlock {
 
     /// Row s of C Q (zI - T)^-1 Q^H.
     #[inline(always)]
-    fn row_of_h(&mut self, s: usize, tables: &SchurForm) {
+    fn row_of_h(&mut self, s: usize, schur: &SchurForm) {
         let n = self.n;
         for l in 0..n {
-            let mut sum = Lanes::all(tables.c[s * n + l]);
+            let mut sum = Lanes::all(schur.c[s * n + l]);
             for k in 0..l {
-                sum += self.work[k] * Lanes::all(tables.t[k * n + l]);
+                sum += self.work[k] * Lanes::all(schur.t[k * n + l]);
             }
             self.work[l] = sum * self.pivots[l];
         }
         for i in 0..n {
             let mut sum = Lanes::ZERO;
             for l in 0..n {
-                sum += self.work[l] * Lanes::all(tables.q[i * n + l].conj());
+                sum += self.work[l] * Lanes::all(schur.q[i * n + l].conj());
             }
             self.h[s * n + i] = sum;
         }
@@ -172,19 +172,19 @@ impl FrequencyBlock {
 
     /// Q (zI - T)^-1 times `work`, into the first n scalars.
     #[inline(always)]
-    fn state(&mut self, tables: &SchurForm) {
+    fn state(&mut self, schur: &SchurForm) {
         let n = self.n;
         for i in (0..n).rev() {
             let mut sum = self.work[i];
             for l in i + 1..n {
-                sum += Lanes::all(tables.t[i * n + l]) * self.work[l];
+                sum += Lanes::all(schur.t[i * n + l]) * self.work[l];
             }
             self.work[i] = sum * self.pivots[i];
         }
         for i in 0..n {
             let mut sum = Lanes::ZERO;
             for l in 0..n {
-                sum += Lanes::all(tables.q[i * n + l]) * self.work[l];
+                sum += Lanes::all(schur.q[i * n + l]) * self.work[l];
             }
             self.scalars[i] = sum;
         }
@@ -205,17 +205,17 @@ impl FrequencyBlock {
 
     /// e = Y - f (H tau + delta). H tau is taken as C Q (zI - T)^-1 Q^H tau.
     #[inline(always)]
-    fn subtract_known(&mut self, record: &RecordSpectrum, tables: &SchurForm) {
+    fn subtract_known(&mut self, record: &RecordSpectrum, schur: &SchurForm) {
         let (n, m) = (self.n, self.m);
         self.driven.fill(Lanes::ZERO);
         for k in 0..record.entries.len() {
             let factor = self.factors[k];
-            if let Some(tau) = &tables.into_state[k] {
+            if let Some(tau) = &schur.into_state[k] {
                 for (driven, &tau) in self.driven.iter_mut().zip(tau) {
                     *driven += factor * Lanes::all(tau);
                 }
             }
-            if let Some(delta) = &tables.into_sensors[k] {
+            if let Some(delta) = &schur.into_sensors[k] {
                 for (e, &delta) in self.e.iter_mut().zip(delta) {
                     *e -= factor.scale(Real::all(delta));
                 }
@@ -225,14 +225,14 @@ impl FrequencyBlock {
         for i in (0..n).rev() {
             let mut sum = self.work[i];
             for l in i + 1..n {
-                sum += Lanes::all(tables.t[i * n + l]) * self.work[l];
+                sum += Lanes::all(schur.t[i * n + l]) * self.work[l];
             }
             self.work[i] = sum * self.pivots[i];
         }
         for s in 0..m {
             let mut sum = self.e[s];
             for i in 0..n {
-                sum -= Lanes::all(tables.c[s * n + i]) * self.work[i];
+                sum -= Lanes::all(schur.c[s * n + i]) * self.work[i];
             }
             self.e[s] = sum;
         }
@@ -301,14 +301,14 @@ impl FrequencyBlock {
     }
 
     #[inline(always)]
-    pub(crate) fn estimated_scalars(&mut self, tables: &SchurForm) {
+    pub(crate) fn estimated_scalars(&mut self, schur: &SchurForm) {
         let n = self.n;
         for i in 0..n {
-            self.work[i] = self.driven[i] + self.u * Lanes::all(tables.b_schur[i]);
+            self.work[i] = self.driven[i] + self.u * Lanes::all(schur.b_schur[i]);
         }
-        self.state(tables);
+        self.state(schur);
         let mut u = self.u;
-        for (state, &gain) in self.scalars[..n].iter().zip(&tables.gain) {
+        for (state, &gain) in self.scalars[..n].iter().zip(&schur.gain) {
             u += state.scale(Real::all(gain));
         }
         self.scalars[n] = u;
@@ -316,15 +316,15 @@ impl FrequencyBlock {
     }
 
     #[inline(always)]
-    pub(crate) fn noise_scalars(&mut self, tables: &SchurForm) {
+    pub(crate) fn noise_scalars(&mut self, schur: &SchurForm) {
         let n = self.n;
         let size = self.inverse_gain.map(f64::sqrt);
         for i in 0..n {
-            self.work[i] = Lanes::all(tables.b_schur[i]).scale(size);
+            self.work[i] = Lanes::all(schur.b_schur[i]).scale(size);
         }
-        self.state(tables);
+        self.state(schur);
         let mut u = Lanes { re: size, im: Real::ZERO };
-        for (state, &gain) in self.scalars[..n].iter().zip(&tables.gain) {
+        for (state, &gain) in self.scalars[..n].iter().zip(&schur.gain) {
             u += state.scale(Real::all(gain));
         }
         self.scalars[n] = u;

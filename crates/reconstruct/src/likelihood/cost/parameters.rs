@@ -12,7 +12,7 @@ pub(crate) struct System {
     pub(crate) a: DMatrix<f64>,
     pub(crate) c: DMatrix<f64>,
     pub(crate) b: Vec<DVector<f64>>,
-    /// m entries each; those that are not free are zero, or what the hold makes them (see `hold.rs`).
+    /// m entries each; those that are not free are zero, or what the hold makes them (see `first_order_hold.rs`).
     pub(crate) d: Vec<DVector<f64>>,
 }
 

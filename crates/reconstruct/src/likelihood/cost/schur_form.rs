@@ -34,29 +34,29 @@ pub(crate) struct SchurForm {
 }
 
 impl SchurForm {
-    pub(crate) fn new(record: &RecordSpectrum, seen: &RecordSystem) -> Option<Self> {
+    pub(crate) fn new(record: &RecordSpectrum, system: &RecordSystem) -> Option<Self> {
         const ITERATIONS: usize = 10_000;
-        let (n, m) = (seen.b.len(), seen.d.len());
+        let (n, m) = (system.b.len(), system.d.len());
         let complex = |matrix: &DMatrix<f64>| matrix.map(|x| Complex::new(x, 0.0));
-        let schur = nalgebra::linalg::Schur::try_new(complex(&seen.a), f64::EPSILON, ITERATIONS)?;
+        let schur = nalgebra::linalg::Schur::try_new(complex(&system.a), f64::EPSILON, ITERATIONS)?;
         let (q, t) = schur.unpack();
         let by_rows = |matrix: &DMatrix<Complex<f64>>| matrix.transpose().as_slice().to_vec();
         let in_schur = |vector: &DVector<f64>| {
             (q.adjoint() * vector.map(|x| Complex::new(x, 0.0))).as_slice().to_vec()
         };
-        let parts = || seen.coefficients.iter().zip(&record.entries);
+        let parts = || system.coefficients.iter().zip(&record.entries);
         let inverse = |variance: &f64| 1.0 / variance;
         Some(Self {
             n,
             m,
             factors: record.entries.len(),
             t: by_rows(&t),
-            floor: f64::EPSILON * seen.a.amax().max(1.0),
-            c: by_rows(&(complex(&seen.c) * &q)),
-            b: seen.b.as_slice().to_vec(),
-            b_schur: in_schur(&seen.b),
-            d: seen.d.as_slice().to_vec(),
-            gain: seen.gain.as_slice().to_vec(),
+            floor: f64::EPSILON * system.a.amax().max(1.0),
+            c: by_rows(&(complex(&system.c) * &q)),
+            b: system.b.as_slice().to_vec(),
+            b_schur: in_schur(&system.b),
+            d: system.d.as_slice().to_vec(),
+            gain: system.gain.as_slice().to_vec(),
             into_state: parts()
                 .map(|(tau, entry)| {
                     (*entry != Entry::Sensors)
@@ -66,8 +66,8 @@ impl SchurForm {
             into_sensors: parts()
                 .map(|(tau, entry)| (*entry != Entry::State).then(|| tau[n..].to_vec()))
                 .collect(),
-            white: seen.variances.iter().map(inverse).collect(),
-            white_at_zero: seen
+            white: system.variances.iter().map(inverse).collect(),
+            white_at_zero: system
                 .variances
                 .iter()
                 .zip(&record.offset_variance)

@@ -87,7 +87,7 @@ pub(crate) fn conclude(
             cost / (spectrum.residuals(layout.sensors) * degrees_of_freedom / residuals)
         })
         .collect();
-    // What is told has an entry of d_j for each sensor that has one, free or not.
+    // The reported model has an entry of d_j for each sensor that has one, free or not.
     let untied = layout.untied();
     let covariance = match &hold {
         Some(hold) => with_tied(&parameters.matrix, hold, &evaluation.system, layout),
@@ -131,7 +131,7 @@ fn is_this(rival: &Rival, modes: &[Mode]) -> bool {
         })
 }
 
-/// `None` where the eigenvalues cannot be computed: then nobody can be told of them.
+/// `None` where the eigenvalues cannot be computed: then it is not reported.
 fn rival(above: f64, a: &DMatrix<f64>, period: SamplePeriod) -> Option<Rival> {
     let modes = uncertainty::modes(a, period, &DMatrix::zeros(a.len(), a.len())).ok()?;
     let eigenvalues = modes.into_iter().map(|mode| mode.continuous.value).collect();

@@ -54,7 +54,7 @@ pub enum Doubt {
     AnotherSystem {
         /// How many times as likely the one that was found is.
         likelihood_ratio: f64,
-        /// The other one's eigenvalues in 1/s, a complex pair once.
+        /// The other one's eigenvalues in rad/s, a complex pair once.
         eigenvalues: Vec<Complex<f64>>,
     },
     /// Records so short that deviations and intervals, which hold to first order, mean little.

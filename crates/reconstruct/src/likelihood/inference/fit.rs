@@ -17,7 +17,7 @@ pub struct Fit {
     /// The system, in the sensors' units. In its basis the states of the records have unit second moments; each (b_j, d_j) has unit length, before
     /// sensors are scaled back.
     pub model: SharedModel,
-    /// The covariance of A by columns, C by columns, then b_j and the free entries of d_j of each record. It is singular along changes of basis and of
+    /// The covariance of A by columns, C by columns, then b_j and, for the sensors in `feedthrough_sensors`, the entries of d_j of each record. It is singular along changes of basis and of
     /// scale, which it leaves out.
     pub covariance: DMatrix<f64>,
     /// The modes with their uncertainty, by real part of the eigenvalue, a complex pair once.
@@ -34,7 +34,7 @@ pub struct Fit {
     pub criterion: f64,
     /// Directions of the parameters that the records determine.
     pub determined: usize,
-    /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each entry of d_j.
+    /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each free entry of d_j.
     pub identifiable: usize,
     /// Standard deviations of the noise in the sensors' units; `None` where the noise has a spectrum.
     pub noise_levels: Option<Vec<Estimate>>,

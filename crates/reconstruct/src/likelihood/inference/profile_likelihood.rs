@@ -12,7 +12,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::fit::Fit;
-use super::refit::{Finished, finished};
+use super::refit::{Refit, refit};
 use super::uncertainty::Mode;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
 use crate::likelihood::options::Options;
@@ -79,8 +79,8 @@ pub fn profile_intervals(
     fit: &Fit,
     options: &Options,
 ) -> Result<Vec<Option<[f64; 2]>>, ReconstructError> {
-    let Finished { problem, evaluation, units } =
-        finished(records, fit, options, &mut RealFftPlanner::new())?;
+    let Refit { problem, evaluation, units } =
+        refit(records, fit, options, &mut RealFftPlanner::new())?;
     let profile = Profile {
         problem: &problem,
         optimum: evaluation,

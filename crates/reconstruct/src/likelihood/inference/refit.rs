@@ -11,7 +11,7 @@ use crate::likelihood::validation;
 use crate::{ReconstructError, Record};
 
 /// A fit's problem with the noise as the fit knows it, in sensors of unit noise.
-pub(crate) struct Finished {
+pub(crate) struct Refit {
     pub(crate) problem: Problem,
     /// At the fitted system.
     pub(crate) evaluation: Evaluation,
@@ -19,12 +19,12 @@ pub(crate) struct Finished {
     pub(crate) units: Vec<f64>,
 }
 
-pub(crate) fn finished(
+pub(crate) fn refit(
     records: &[Record],
     fit: &Fit,
     options: &Options,
     planner: &mut RealFftPlanner<f64>,
-) -> Result<Finished, ReconstructError> {
+) -> Result<Refit, ReconstructError> {
     let known = with_known_noise(fit, options);
     let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
     let units = sensor_units(records, &known);
@@ -36,7 +36,7 @@ pub(crate) fn finished(
     let problem = Problem { layout, spectra, threads: options.threads };
     let system = System::scaled(&fit.model, &units, &problem.layout);
     let evaluation = problem.evaluate(system, &vec![1.0; units.len()]);
-    Ok(Finished { problem, evaluation, units })
+    Ok(Refit { problem, evaluation, units })
 }
 
 /// The options of a fit with noise levels and hold as it knows them.

@@ -133,7 +133,7 @@ fn one(
         for (sensor, into) in fit.sensors.iter_mut().enumerate() {
             into.measured.push(at.measured[sensor].norm_sqr());
             into.response.push(response[sensor].norm_sqr());
-            into.absorbed.push(at.gain[sensor].norm_sqr() / at.strength());
+            into.absorbed.push(at.gain[sensor].norm_sqr() / at.gain_power());
             into.noise.push(at.noise[sensor]);
         }
     }
@@ -211,19 +211,19 @@ impl At {
     }
 
     /// g^H S^-1 g, positive.
-    fn strength(&self) -> f64 {
+    fn gain_power(&self) -> f64 {
         self.gain.dotc(&(&self.precision * &self.gain)).re.max(f64::MIN_POSITIVE)
     }
 
     /// U.
     fn excitation(&self, rest: &DVector<Complex<f64>>) -> Complex<f64> {
-        self.gain.dotc(&(&self.precision * rest)) / self.strength()
+        self.gain.dotc(&(&self.precision * rest)) / self.gain_power()
     }
 
     /// Phi times the columns.
     fn project(&self, columns: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
         let weighted = &self.precision * columns;
-        let along = &self.precision * &self.gain / Complex::from(self.strength());
+        let along = &self.precision * &self.gain / Complex::from(self.gain_power());
         &weighted - along * (self.gain.adjoint() * &weighted)
     }
 }

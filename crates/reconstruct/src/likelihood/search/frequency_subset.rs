@@ -9,7 +9,7 @@ const FEWEST: usize = 256;
 
 /// The problem at fewer frequencies: a quarter of them the lowest ones, where slow modes show, the others evenly spread and weighted for those they
 /// stand for, so that costs keep their scale. `None` where that would save less than half.
-pub(crate) fn thinned(problem: &Problem) -> Option<Thinned> {
+pub(crate) fn frequency_subset(problem: &Problem) -> Option<FrequencySubset> {
     let (mut before, mut after, mut largest_weight) = (0, 0, 1.0_f64);
     let spectra: Vec<RecordSpectrum> = problem
         .spectra
@@ -23,11 +23,11 @@ pub(crate) fn thinned(problem: &Problem) -> Option<Thinned> {
         })
         .collect();
     let problem = Problem { layout: problem.layout.clone(), spectra, threads: problem.threads };
-    (2 * after <= before).then_some(Thinned { problem, largest_weight })
+    (2 * after <= before).then_some(FrequencySubset { problem, largest_weight })
 }
 
 /// A problem at fewer frequencies.
-pub(crate) struct Thinned {
+pub(crate) struct FrequencySubset {
     pub(crate) problem: Problem,
     /// How many frequencies one of them stands for at the most: chance moves the costs so many times as much.
     pub(crate) largest_weight: f64,

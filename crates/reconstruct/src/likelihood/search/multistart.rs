@@ -2,7 +2,7 @@
 //! and the best few on all frequencies. Where there are many frequencies the first look takes a subset of them (`frequency_subset.rs`).
 
 use super::eigenvalue_penalty::EigenvaluePenalty;
-use super::frequency_subset::thinned;
+use super::frequency_subset::frequency_subset;
 use super::local_search::{
     LocalOptimum, optimise, optimise_from_start, optimise_with_penalty, with_directions,
 };
@@ -56,7 +56,7 @@ pub(crate) fn search(
     options: &Options,
 ) -> Option<Found> {
     let moving = options.search.max_restarts > 0 && options.search.max_steps > 0;
-    let thin = if moving || starts.len() > 1 { thinned(problem) } else { None };
+    let thin = if moving || starts.len() > 1 { frequency_subset(problem) } else { None };
     let (look, first, chance) = match &thin {
         Some(thin) => (&thin.problem, &first_look(options), thin.largest_weight),
         None => (problem, options, 1.0),
@@ -170,10 +170,9 @@ fn on_all_frequencies(
     finalist: f64,
 ) -> Optima {
     let mut finals = Optima::default();
-    let highest = optima.0.first().map_or(f64::INFINITY, |candidate| candidate.optimum.objective);
+    let best = optima.0.first().map_or(f64::INFINITY, |candidate| candidate.optimum.objective);
     let finalists = optima.0.into_iter().take(MOST_FINALISTS);
-    for candidate in
-        finalists.take_while(|candidate| candidate.optimum.objective < highest + finalist)
+    for candidate in finalists.take_while(|candidate| candidate.optimum.objective < best + finalist)
     {
         let ceiling = finals.0.first().map(|best| best.optimum.objective + RIVAL);
         let mut replaced = vec![false; problem.layout.records];

@@ -4,7 +4,7 @@
 //!
 //! sum of w [ln det (N^H S N) + e^H N (N^H S N)^-1 N^H e]
 //!
-//! is minimised over the variances. N (N^H S N)^-1 N^H is the Phi of `sums.rs`; so the gradient is the sum of w (Phi_ii - |(Phi e)_i|^2), the expected
+//! is minimised over the variances. N (N^H S N)^-1 N^H is the Phi of `accumulate.rs`; so the gradient is the sum of w (Phi_ii - |(Phi e)_i|^2), the expected
 //! curvature that of w |Phi_il|^2, and one scoring step solves for the change of the variances.
 
 use nalgebra::DVector;

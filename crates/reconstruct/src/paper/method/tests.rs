@@ -147,8 +147,8 @@ fn what_the_pseudo_input_never_sees_is_no_mode() {
     let result = identify(&reordered([1, 0, 2]), &Options::default()).unwrap();
     assert_eq!(result.shared.zeros.len(), 5);
     assert!(distance_from_truth(&result) < 1e-6, "{:?}", result.modes);
-    assert_eq!(result.blind.len(), 1);
-    assert!((result.blind[0] - 1.0).norm() < 1e-9);
+    assert_eq!(result.unobservable_zeros.len(), 1);
+    assert!((result.unobservable_zeros[0] - 1.0).norm() < 1e-9);
     assert_eq!(result.doubts, []);
 }
 

@@ -21,7 +21,11 @@ fn all() -> Vec<Doubt> {
         subspace::Doubt::NoExcitation { record: text() },
         subspace::Doubt::NoiseNotWhite { record: text(), largest: 1.0, edge: 1.0 },
         subspace::Doubt::SameExcitation { first: text(), second: text(), common: 9, expected: 4 },
-        subspace::Doubt::HardlyExcited { pole: Complex::default(), record: text(), strength: 1.0 },
+        subspace::Doubt::HardlyExcited {
+            pole: Complex::default(),
+            record: text(),
+            excitation_snr: 1.0,
+        },
         subspace::Doubt::UncertainDirection { record: text(), ambiguity: 1.0 },
         subspace::Doubt::NoiseNotConverged { rounds: 1 },
         subspace::Doubt::IllConditioned { condition: 1.0 },

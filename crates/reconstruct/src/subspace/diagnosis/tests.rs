@@ -14,7 +14,7 @@ fn doubts_say_their_numbers() {
             "record climb: the signal's rank grows by 1.75 for each block row, so that at least 2 independent excitations act; one is assumed",
         ),
         (
-            Doubt::HardlyExcited { pole, record: record(), strength: 1.5 },
+            Doubt::HardlyExcited { pole, record: record(), excitation_snr: 1.5 },
             "record climb shows next to nothing of the mode at z = 0.9000 - 0.2500i: 1.50 of the noise's variance",
         ),
         (

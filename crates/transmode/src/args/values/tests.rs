@@ -37,3 +37,10 @@ fn quiet_files() {
     assert_eq!("calm.csv:0:9.5".parse(), Ok(QuietFile::Stretch(window)));
     assert_eq!("calm.csv:0:x".parse(), Ok(QuietFile::Whole("calm.csv:0:x".into())));
 }
+
+#[test]
+fn the_paper_is_a_name_of_its_method() {
+    use clap::ValueEnum;
+    assert_eq!(MethodName::from_str("paper", false), Ok(MethodName::AsPrinted));
+    assert_eq!(MethodName::AsPrinted.word(), "as-printed");
+}

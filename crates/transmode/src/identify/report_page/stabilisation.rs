@@ -33,7 +33,7 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let diagrams = diagrams(input);
     if diagrams.iter().all(|diagram| diagram.poles.is_empty()) {
         blocks.push(Block::paragraph(
-            "Signal subspaces do not subspace::identify in these records for any order, so that there is nothing to compare.",
+            "Signal subspaces do not intersect in these records for any order, so that there is nothing to compare.",
         ));
         return Ok(blocks);
     }

@@ -26,7 +26,7 @@ pub(super) fn summary(result: &paper::Solution) -> String {
     if let Some(refused) = result.shared.closest_refused {
         text += &format!(", smallest spread refused {}", format_significant(refused, 2));
     }
-    for zero in result.blind.iter().filter(|zero| zero.im >= 0.0) {
+    for zero in result.unobservable_zeros.iter().filter(|zero| zero.im >= 0.0) {
         let place = format_conjugate_pair(zero.re, zero.im, 6);
         text += &format!(
             "\nz = {place} is no mode: there the pseudo input reads nothing in any record"

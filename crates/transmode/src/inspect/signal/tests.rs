@@ -2,13 +2,8 @@ use super::*;
 
 /// A smooth signal with noise of a hundredth.
 fn signal() -> Vec<f64> {
-    let mut state = 1_u32;
-    (0..2000_u32)
-        .map(|k| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (f64::from(k) / 30.0).sin() + 0.01 * (f64::from(state) / f64::from(u32::MAX) - 0.5)
-        })
-        .collect()
+    let mut random = flight::Stream::new(1, 0);
+    (0..2000_u32).map(|k| (f64::from(k) / 30.0).sin() + 0.003 * random.normal()).collect()
 }
 
 #[test]

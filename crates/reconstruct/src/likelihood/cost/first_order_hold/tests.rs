@@ -50,7 +50,7 @@ fn it_is_the_response_to_straight_lines() {
     let fine_a = DMatrix::from_row_slice(2, 2, &[fine.re, fine.im, -fine.im, fine.re]);
     let rate = DMatrix::from_row_slice(2, 2, &[decay, turn, -turn, decay]);
     let input = DVector::from_column_slice(&[1.0, -0.4]);
-    // EigenvaluePenalty over one fine step.
+    // The input held over one fine step.
     let inverse = rate.clone().try_inverse().unwrap();
     let fine_b = &inverse * (&fine_a - DMatrix::identity(2, 2)) * &input;
     let corners = [0.0, 1.0, -2.0, 0.5, 0.5, 3.0, -1.0, 0.0, 0.0];

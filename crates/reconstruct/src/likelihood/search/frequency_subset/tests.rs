@@ -30,13 +30,13 @@ fn problem(samples: usize) -> (Problem, System) {
 
 #[test]
 fn short_records_keep_all_frequencies() {
-    assert!(thinned(&problem(800).0).is_none());
+    assert!(frequency_subset(&problem(800).0).is_none());
 }
 
 #[test]
 fn the_lowest_frequencies_stay_and_the_sum_of_weights_too() {
     let (full, _) = problem(20_000);
-    let thin = thinned(&full).unwrap();
+    let thin = frequency_subset(&full).unwrap();
     for (thin, full) in thin.problem.spectra.iter().zip(&full.spectra) {
         assert_eq!(thin.frequencies(), 800);
         assert_eq!((&thin.z[..200], &thin.weight[..200]), (&full.z[..200], &full.weight[..200]));
@@ -51,7 +51,7 @@ fn the_lowest_frequencies_stay_and_the_sum_of_weights_too() {
 #[test]
 fn the_cost_keeps_its_scale() {
     let (full, truth) = problem(4000);
-    let thin = thinned(&full).unwrap();
+    let thin = frequency_subset(&full).unwrap();
     let cost = |problem: &Problem| {
         let at = problem.evaluate_around(truth.clone(), problem.no_coefficients(), &[1.0; 3]);
         problem
