@@ -118,7 +118,7 @@ fn numbers_of_four_bytes_are_what_they_stand_for() {
 }
 
 /// y(k+1) = 0.5 y(k) + 2 u(k) + u(k-1), y(0) = `start`: a pole at 1/2, a zero at -1/2.
-fn planted(samples: usize, start: f64, seed: u32) -> [Vec<f64>; 2] {
+fn planted(samples: usize, start: f64, seed: u64) -> [Vec<f64>; 2] {
     let mut noise = noise(seed);
     let u: Vec<f64> = (0..samples).map(|_| noise()).collect();
     let mut y = vec![start];

@@ -6,6 +6,7 @@ mod planted;
 use super::*;
 use crate::Channel;
 use lti::SamplePeriod;
+use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};

@@ -1,3 +1,5 @@
+use num_complex::Complex;
+
 use super::*;
 
 #[test]
