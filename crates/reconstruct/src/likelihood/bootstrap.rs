@@ -87,12 +87,15 @@ pub fn bootstrap(
     let again = refitted(fit, options);
     let starts = std::slice::from_ref(&fit.model);
     let mut planner = RealFftPlanner::new();
-    let Refit { problem, evaluation, units } = refit(records, fit, options, &mut planner)?;
+    let Refit { problem, evaluation, variances, units } =
+        refit(records, fit, options, &mut planner)?;
     let parts = problem
         .spectra
         .iter()
         .enumerate()
-        .map(|(j, spectrum)| parts(spectrum, &evaluation.system, j, &evaluation.coefficients[j]))
+        .map(|(j, spectrum)| {
+            parts(spectrum, &evaluation.system, j, &evaluation.coefficients[j], &variances)
+        })
         .collect::<Result<Vec<_>, _>>()?;
 
     let found: Vec<Complex<f64>> = fit.modes.iter().map(|mode| mode.discrete.value).collect();
@@ -132,9 +135,12 @@ fn too_few(message: String) -> ReconstructError {
 /// The options of the repetitions: levels that were estimated are estimated again.
 fn refitted(fit: &Fit, options: &Options) -> Options {
     let mut again = Options { hold: Some(fit.hold), ..options.clone() };
-    if let (Noise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
-        let levels = levels.iter().map(|level| level.value).collect();
-        again.noise = Noise::Estimated { first_guess: Some(levels) };
+    let Some(levels) = &fit.noise_levels else { return again };
+    let first_guess = Some(levels.iter().map(|level| level.value).collect());
+    match &options.noise {
+        Noise::Estimated { .. } => again.noise = Noise::Estimated { first_guess },
+        Noise::ModelError { .. } => again.noise = Noise::ModelError { first_guess },
+        Noise::Given(_) | Noise::Spectra(_) => {}
     }
     again
 }
@@ -150,6 +156,7 @@ fn parts(
     system: &System,
     record: usize,
     coefficients: &[Vec<f64>],
+    variances: &[f64],
 ) -> Result<Vec<Part>, ReconstructError> {
     let (n, m) = (system.a.nrows(), system.c.nrows());
     let (b, d) = (&system.b[record], &system.d[record]);
@@ -180,7 +187,7 @@ fn parts(
         let y = DVector::from_column_slice(&spectrum.y[k * m..(k + 1) * m]);
         let left = y.clone() - &c * (&inverse * into_states) - direct;
         let g = &c * (&inverse * b.map(Complex::from)) + d.map(Complex::from);
-        let covariance = covariance(spectrum, k, m).ok_or_else(singular)?;
+        let covariance = covariance(spectrum, k, variances).ok_or_else(singular)?;
         let weighed = inverse_of_hermitian(&covariance).ok_or_else(singular)? * &g;
         let power = weighed.dotc(&g);
         let excitation =
@@ -196,16 +203,16 @@ fn parts(
 fn covariance(
     spectrum: &RecordSpectrum,
     k: usize,
-    sensors: usize,
+    variances: &[f64],
 ) -> Option<DMatrix<Complex<f64>>> {
+    let sensors = spectrum.offset_variance.len();
     if let Some(precision) = &spectrum.precision {
         let size = sensors * sensors;
         let entries = &precision[k * size..(k + 1) * size];
         return inverse_of_hermitian(&DMatrix::from_row_slice(sensors, sensors, entries));
     }
-    let offset = k == 0 && spectrum.starts_at_zero;
-    let variance = |s: usize| 1.0 + if offset { spectrum.offset_variance[s] } else { 0.0 };
-    Some(DMatrix::from_diagonal(&DVector::from_fn(sensors, |s, _| Complex::from(variance(s)))))
+    let variance = |s: usize, _| Complex::from(spectrum.variance(k, s, variances));
+    Some(DMatrix::from_diagonal(&DVector::from_fn(sensors, variance)))
 }
 
 /// A record with new noise. Frequencies that the fit does not use stay as they are.

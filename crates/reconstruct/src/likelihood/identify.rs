@@ -3,7 +3,7 @@
 use realfft::RealFftPlanner;
 
 use super::cost::evaluation::Problem;
-use super::cost::spectrum::{sensor_units, transform};
+use super::cost::spectrum::{floors, sensor_units, transform};
 use super::inference::conclusion::conclude;
 use super::inference::fit::Fit;
 use super::options::Options;
@@ -55,13 +55,14 @@ pub fn identify(
 ) -> Result<Fit, ReconstructError> {
     let layout = validation::check(records, starts, options)?;
     let units = sensor_units(records, options);
+    let floors = floors(records, &units, options);
     let mut planner = RealFftPlanner::new();
     let spectra = records
         .iter()
         .enumerate()
         .map(|(index, record)| transform(record, index, &units, options, &mut planner))
         .collect::<Result<Vec<_>, _>>()?;
-    let mut problem = Problem { layout, spectra, threads: options.threads };
+    let mut problem = Problem { layout, spectra, threads: options.threads, floors };
     let residuals: f64 =
         problem.spectra.iter().map(|spectrum| spectrum.residuals(problem.layout.sensors)).sum();
     let needed = problem.layout.identifiable() as f64

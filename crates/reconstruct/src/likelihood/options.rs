@@ -14,6 +14,14 @@ pub enum Noise {
         /// Where the search starts, in the sensors' units; `None` starts at 1 % of each sensor's root mean square.
         first_guess: Option<Vec<f64>>,
     },
+    /// White noise of unknown levels s_i and, beside it, a relative model error: sensor i has the variance s_i^2 + eps^2 P_i at each frequency, P_i the smoothed
+    /// periodogram of the sensor in that record. What a nonlinear system, its coupling into other motions or an input that is held in no textbook
+    /// way leave unexplained follows the signal. Both are estimated by restricted likelihood, the levels not below 1e-3 of a sensor's root mean
+    /// square and eps not below 1e-3.
+    ModelError {
+        /// Where the search for the levels starts, in the sensors' units; `None` starts at 1 % of each sensor's root mean square.
+        first_guess: Option<Vec<f64>>,
+    },
     /// Any spectrum, one for each record, for example that of a [`VectorAutoregression`](super::VectorAutoregression) fitted to a quiet record.
     Spectra(Vec<NoiseSpectrum>),
 }

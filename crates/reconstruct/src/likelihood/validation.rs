@@ -54,10 +54,12 @@ fn check_options(
     check_tolerance("the tolerance of the last step", options.search.step_tolerance)?;
     check_tolerance("the tolerance of the noise levels", options.search.level_tolerance)?;
     match &options.noise {
-        Noise::Given(levels) | Noise::Estimated { first_guess: Some(levels) } => {
+        Noise::Given(levels)
+        | Noise::Estimated { first_guess: Some(levels) }
+        | Noise::ModelError { first_guess: Some(levels) } => {
             check_levels("noise levels", levels, sensors)?;
         }
-        Noise::Estimated { first_guess: None } => {}
+        Noise::Estimated { first_guess: None } | Noise::ModelError { first_guess: None } => {}
         Noise::Spectra(spectra) => {
             let shapes = spectra.iter().map(|spectrum| (spectrum.samples(), spectrum.sensors()));
             let needed = records.iter().map(|record| (record.samples(), sensors));

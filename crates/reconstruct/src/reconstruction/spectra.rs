@@ -43,5 +43,6 @@ pub fn spectral_fits(
     // Under a first-order hold every sensor has an entry of d_j.
     let feedthrough = &options.measurement.feedthrough_sensors;
     let direct = found.fit().map_or(feedthrough, |fit| &fit.feedthrough_sensors);
-    spectral_fit(records, model, &levels, direct, &options.likelihood(records, first)?)
+    let model_error = found.fit().and_then(|fit| fit.model_error).map(|error| error.value);
+    spectral_fit(records, model, &levels, model_error, direct, &options.likelihood(records, first)?)
 }

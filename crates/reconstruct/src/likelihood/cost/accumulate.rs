@@ -39,7 +39,8 @@ pub(crate) fn accumulate(
 ) -> Sums {
     let (n, m) = (system.b.len(), system.d.len());
     let count = n + 1 + record.entries.len();
-    let mut all = Sums::zero(n, m, count, keep_spectrum);
+    let levels = system.variances.len().max(m);
+    let mut all = Sums::zero(n, m, levels, count, keep_spectrum);
     let Some(schur) = SchurForm::new(record, system) else {
         // Without a Schur form there is no cost: NaN is never below anything.
         all.cost = f64::NAN;
@@ -51,8 +52,8 @@ pub(crate) fn accumulate(
         .map(|first| first..frequencies.min(first + SHARE))
         .collect();
     let sum = |share: &Range<usize>| {
-        let mut sums = Sums::zero(n, m, count, keep_spectrum);
-        let mut totals = Totals::new(n, m, count);
+        let mut sums = Sums::zero(n, m, levels, count, keep_spectrum);
+        let mut totals = Totals::new(n, m, levels, count);
         pulp::Arch::new().dispatch(Loop {
             record,
             frequencies: share.clone(),

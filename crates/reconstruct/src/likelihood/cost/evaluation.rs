@@ -18,6 +18,8 @@ pub(crate) struct Problem {
     pub(crate) spectra: Vec<RecordSpectrum>,
     /// How many threads sum.
     pub(crate) threads: usize,
+    /// What no variance falls below: one for each sensor and, where there is a relative model error, one for its square.
+    pub(crate) floors: Vec<f64>,
 }
 
 /// The coefficients of each record's known signals: for each record and signal, n entries into the state and m into the sensors.
@@ -60,6 +62,16 @@ pub(crate) struct Evaluation {
 }
 
 impl Problem {
+    /// Variances to start from: 1 for each sensor, which its unit is made for, and a model error of one per cent.
+    pub(crate) fn first_variances(&self) -> Vec<f64> {
+        const MODEL_ERROR: f64 = 0.01;
+        let mut variances = vec![1.0; self.layout.sensors];
+        if self.floors.len() > variances.len() {
+            variances.push(MODEL_ERROR * MODEL_ERROR);
+        }
+        variances
+    }
+
     /// Coefficients that explain nothing.
     pub(crate) fn no_coefficients(&self) -> Coefficients {
         let length = self.layout.order + self.layout.sensors;
@@ -125,7 +137,8 @@ impl Problem {
         variances: &[f64],
     ) -> Evaluation {
         let layout = &self.layout;
-        let (p, m, n) = (layout.parameters(), layout.sensors, layout.order);
+        let (p, n) = (layout.parameters(), layout.order);
+        let levels = variances.len();
         let cells = layout.local_cells();
         let mut system = system;
         let hold = self.tie(&mut system);
@@ -138,8 +151,8 @@ impl Problem {
             descent: DVector::zeros(p),
             nuisance_rank: 0,
             log_determinant: 0.0,
-            information: DMatrix::zeros(m, m),
-            score: DVector::zeros(m),
+            information: DMatrix::zeros(levels, levels),
+            score: DVector::zeros(levels),
             states: DMatrix::zeros(n, n),
             system,
             coefficients,
@@ -182,7 +195,7 @@ impl Problem {
             }
             result.nuisance_rank += eliminated.rank;
             result.log_determinant += sums.log_determinant;
-            result.information += DMatrix::from_row_slice(m, m, &sums.information);
+            result.information += DMatrix::from_row_slice(levels, levels, &sums.information);
             result.score += DVector::from_column_slice(&sums.score);
             result.states += DMatrix::from_row_slice(n, n, &sums.states);
             result.eliminated.push(eliminated);

@@ -26,6 +26,8 @@ pub(crate) struct FrequencyBlock {
     /// S^-1 row by row, or its diagonal in the first m places.
     precision: Vec<Lanes>,
     diagonal: bool,
+    /// Power of each sensor, where a part of it counts as model error; else empty.
+    power: Vec<Real>,
     /// What known signals leave, less g U.
     e: Vec<Lanes>,
     /// Phi e.
@@ -58,6 +60,7 @@ impl FrequencyBlock {
             inverse_gain: Real::ZERO,
             precision: zeros(m * m),
             diagonal: schur.diagonal,
+            power: if schur.has_relative { vec![Real::ZERO; m] } else { Vec::new() },
             e: zeros(m),
             pe: zeros(m),
             u: Lanes::ZERO,
@@ -95,6 +98,22 @@ impl FrequencyBlock {
                     self.precision[s].re.0[0] = schur.white_at_zero[s];
                 }
             }
+            if let Some(power) = &record.power {
+                self.load_power(power, schur, first, last);
+            }
+        }
+    }
+
+    /// The precisions where a part of each sensor's power is added to its variance.
+    #[inline(always)]
+    fn load_power(&mut self, power: &[f64], schur: &SchurForm, first: usize, last: usize) {
+        let m = self.m;
+        let relative = Real::all(schur.relative);
+        for s in 0..m {
+            let power = Real(std::array::from_fn(|k| power[(first + k).min(last) * m + s]));
+            self.power[s] = power;
+            let white = self.precision[s].re.map(|x| 1.0 / x);
+            self.precision[s].re = (white + relative * power).map(|x| 1.0 / x);
         }
     }
 
@@ -278,11 +297,29 @@ impl FrequencyBlock {
     #[inline(always)]
     pub(crate) fn add_levels(&self, totals: &mut Totals) {
         let m = self.m;
-        for (sum, phi) in totals.information.iter_mut().zip(&self.phi) {
-            *sum += self.weight * phi.norm_sqr();
+        // A variance for each sensor and, where there is a model error, one for that.
+        let levels = totals.score.len();
+        for i in 0..m {
+            for l in 0..m {
+                totals.information[i * levels + l] += self.weight * self.phi[i * m + l].norm_sqr();
+            }
         }
         for s in 0..m {
             totals.score[s] += self.weight * (self.pe[s].norm_sqr() - self.phi[s * m + s].re);
+        }
+        if levels > m {
+            for i in 0..m {
+                let mut with = Real::ZERO;
+                for l in 0..m {
+                    with += self.power[l] * self.phi[i * m + l].norm_sqr();
+                }
+                let with = self.weight * with;
+                totals.information[i * levels + m] += with;
+                totals.information[m * levels + i] += with;
+                totals.information[m * levels + m] += self.power[i] * with;
+                totals.score[m] +=
+                    self.weight * self.power[i] * (self.pe[i].norm_sqr() - self.phi[i * m + i].re);
+            }
         }
         if self.diagonal {
             let mut length = Real::ZERO;

@@ -29,6 +29,9 @@ pub(crate) struct SchurForm {
     pub(crate) into_sensors: Vec<Option<Vec<f64>>>,
     pub(crate) white: Vec<f64>,
     pub(crate) white_at_zero: Vec<f64>,
+    /// The squared relative model error.
+    pub(crate) relative: f64,
+    pub(crate) has_relative: bool,
     /// Whether the noise covariance is diagonal.
     pub(crate) diagonal: bool,
 }
@@ -66,13 +69,15 @@ impl SchurForm {
             into_sensors: parts()
                 .map(|(tau, entry)| (*entry != Entry::State).then(|| tau[n..].to_vec()))
                 .collect(),
-            white: system.variances.iter().map(inverse).collect(),
+            white: system.variances[..m].iter().map(inverse).collect(),
             white_at_zero: system
                 .variances
                 .iter()
                 .zip(&record.offset_variance)
                 .map(|(variance, offset)| 1.0 / (variance + offset))
                 .collect(),
+            relative: system.variances.get(m).copied().unwrap_or(0.0),
+            has_relative: system.variances.len() > m,
             diagonal: record.precision.is_none(),
             q: by_rows(&q),
         })

@@ -36,6 +36,8 @@ pub(crate) struct RecordSpectrum {
     pub(crate) factors: Vec<Complex<f64>>,
     /// Inverse noise covariances, m x m per frequency (symmetric storage does not matter: row by row); `None` for white noise.
     pub(crate) precision: Option<Vec<Complex<f64>>>,
+    /// Smoothed power of each sensor, m per frequency, in units squared: what a relative model error is a part of. `None` where there is none.
+    pub(crate) power: Option<Vec<f64>>,
     /// Variances that offsets add at frequency zero, which is then the first one; zero where offsets are not random.
     pub(crate) offset_variance: Vec<f64>,
     /// Whether the first frequency is zero.
@@ -59,9 +61,24 @@ impl RecordSpectrum {
             if let Some(precision) = &mut rest.precision {
                 precision.drain(..m * m);
             }
+            if let Some(power) = &mut rest.power {
+                power.drain(..m);
+            }
             rest.starts_at_zero = false;
         }
         rest
+    }
+
+    /// The variance of a sensor's noise at one frequency, for noise that is independent between sensors: its own, an offset's at frequency zero, and
+    /// the model error's.
+    pub(crate) fn variance(&self, k: usize, sensor: usize, variances: &[f64]) -> f64 {
+        let m = self.offset_variance.len();
+        let offset = if k == 0 && self.starts_at_zero { self.offset_variance[sensor] } else { 0.0 };
+        let model_error = match (&self.power, variances.get(m)) {
+            (Some(power), Some(square)) => square * power[k * m + sensor],
+            _ => 0.0,
+        };
+        variances[sensor] + offset + model_error
     }
 
     /// Real residuals: (m - 1) for each real number of the transform.
@@ -77,8 +94,11 @@ const FIRST_GUESS: f64 = 0.01;
 pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
     let sensors = records.first().map_or(0, |record| record.channels().len());
     match &options.noise {
-        Noise::Given(levels) | Noise::Estimated { first_guess: Some(levels) } => levels.clone(),
-        Noise::Estimated { first_guess: None } => (0..sensors)
+        Noise::Given(levels)
+        | Noise::Estimated { first_guess: Some(levels) }
+        | Noise::ModelError { first_guess: Some(levels) } => levels.clone(),
+        Noise::Estimated { first_guess: None } | Noise::ModelError { first_guess: None } => (0
+            ..sensors)
             .map(|sensor| {
                 let squares: f64 = records
                     .iter()
@@ -97,6 +117,31 @@ pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
             })
             .collect(),
     }
+}
+
+/// What no variance of the noise falls below, in the units of the sensors. White noise stops at rounding errors; with a model error each level stops at
+/// a thousandth of its sensor's root mean square, and the model error itself at a thousandth.
+pub(crate) fn floors(records: &[Record], units: &[f64], options: &Options) -> Vec<f64> {
+    const ROUNDING: f64 = 1e-24;
+    const LEAST_LEVEL: f64 = 1e-3;
+    const LEAST_MODEL_ERROR: f64 = 1e-3;
+    if !matches!(options.noise, Noise::ModelError { .. }) {
+        return vec![ROUNDING; units.len()];
+    }
+    let level = |(sensor, unit): (usize, &f64)| {
+        let squares = records.iter().map(|record| centred_rms(record, sensor).powi(2)).sum::<f64>();
+        (LEAST_LEVEL / unit).powi(2) * squares / records.len() as f64
+    };
+    let mut floors: Vec<f64> = units.iter().enumerate().map(level).collect();
+    floors.push(LEAST_MODEL_ERROR * LEAST_MODEL_ERROR);
+    floors
+}
+
+fn centred_rms(record: &Record, sensor: usize) -> f64 {
+    let values = &record.channels()[sensor].values;
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let rest: Vec<f64> = values.iter().map(|value| value - mean).collect();
+    rms(&rest)
 }
 
 /// The transform of one record at the frequencies that the options leave.
@@ -163,6 +208,11 @@ pub(crate) fn transform(
         }
         _ => None,
     };
+    let power = matches!(options.noise, Noise::ModelError { .. }).then(|| {
+        let centred = options.measurement.offsets != Offsets::Zero;
+        let smooth: Vec<_> = channels.iter().map(|y| smoothed_power(y, centred)).collect();
+        kept.iter().flat_map(|&k| smooth.iter().map(move |power| power[k])).collect()
+    });
     Ok(RecordSpectrum {
         z,
         weight,
@@ -170,9 +220,26 @@ pub(crate) fn transform(
         entries,
         factors,
         precision,
+        power,
         offset_variance,
         starts_at_zero,
     })
+}
+
+/// The periodogram of one sensor, smoothed by a triangle over five frequencies: two to each side. An offset counts for nothing where it is not part of
+/// the motion.
+fn smoothed_power(transform: &[Complex<f64>], offset: bool) -> Vec<f64> {
+    const TRIANGLE: [(isize, f64); 5] =
+        [(-2, 1.0 / 9.0), (-1, 2.0 / 9.0), (0, 3.0 / 9.0), (1, 2.0 / 9.0), (2, 1.0 / 9.0)];
+    let last = transform.len() as isize - 1;
+    let at = |k: isize| {
+        // Reflected at both ends, where the spectrum of a real signal goes on as its mirror image.
+        let k = if k < 0 { -k } else { k };
+        let k = if k > last { (2 * last - k).max(0) } else { k };
+        let k = if k == 0 && offset { 1.min(last) } else { k };
+        transform[k.unsigned_abs()].norm_sqr()
+    };
+    (0..=last).map(|k| TRIANGLE.iter().map(|(lag, weight)| weight * at(k + lag)).sum()).collect()
 }
 
 fn kept_frequencies(record: &Record, options: &Options) -> Vec<usize> {

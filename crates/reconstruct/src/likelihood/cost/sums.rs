@@ -23,9 +23,9 @@ pub(crate) struct Sums {
     pub(crate) cost: f64,
     /// The sum of weight times ln det S + ln (g^H S^-1 g / g^H g), for white noise.
     pub(crate) log_determinant: f64,
-    /// The sum of weight times |Phi_il|^2, m x m.
+    /// The sum of weight times |Phi_il|^2, m x m; with a model error a row and a column more, where P_l multiplies it.
     pub(crate) information: Vec<f64>,
-    /// The sum of weight times |(Phi e)_i|^2 - Phi_ii.
+    /// The sum of weight times |(Phi e)_i|^2 - Phi_ii; with a model error also the sum of P_i times that.
     pub(crate) score: Vec<f64>,
     /// The sum of weight times Re conj(X_a) X_c, n x n: how far the states move.
     pub(crate) states: Vec<f64>,
@@ -35,7 +35,13 @@ pub(crate) struct Sums {
 
 impl Sums {
     /// Of nothing.
-    pub(crate) fn zero(n: usize, m: usize, count: usize, keep_spectrum: bool) -> Self {
+    pub(crate) fn zero(
+        n: usize,
+        m: usize,
+        levels: usize,
+        count: usize,
+        keep_spectrum: bool,
+    ) -> Self {
         let rows = n + m;
         let (z_rows, w_rows) = (rows * (rows + 1) / 2, count * (count + 1) / 2);
         Self {
@@ -45,8 +51,8 @@ impl Sums {
             descent: vec![0.0; rows * count],
             cost: 0.0,
             log_determinant: 0.0,
-            information: vec![0.0; m * m],
-            score: vec![0.0; m],
+            information: vec![0.0; levels * levels],
+            score: vec![0.0; levels],
             states: vec![0.0; n * n],
             spectrum: keep_spectrum.then(Vec::new),
         }
@@ -116,13 +122,13 @@ pub(crate) struct Totals {
 }
 
 impl Totals {
-    pub(crate) fn new(n: usize, m: usize, count: usize) -> Self {
+    pub(crate) fn new(n: usize, m: usize, levels: usize, count: usize) -> Self {
         Self {
             cost: Real::ZERO,
             log_determinant: 0.0,
             descent: vec![Real::ZERO; (n + m) * count],
-            information: vec![Real::ZERO; m * m],
-            score: vec![Real::ZERO; m],
+            information: vec![Real::ZERO; levels * levels],
+            score: vec![Real::ZERO; levels],
             states: vec![Real::ZERO; n * n],
         }
     }

@@ -26,7 +26,7 @@ pub(crate) fn conclude(
     options: &Options,
 ) -> Result<Fit, ReconstructError> {
     let layout = &problem.layout;
-    let estimated = matches!(options.noise, Noise::Estimated { .. });
+    let estimated = matches!(options.noise, Noise::Estimated { .. } | Noise::ModelError { .. });
     let Found { optimum, best_start, reports, rivals, restarts } = found;
     let LocalOptimum { mut evaluation, mut variances, search, objective } = optimum;
     let parameters = (layout.identifiable() + evaluation.nuisance_rank) as f64;
@@ -36,7 +36,9 @@ pub(crate) fn conclude(
         // The restricted likelihood leaves out the excitations; the parameters took their share of the residuals, too.
         let share = evaluation.cost / degrees_of_freedom;
         if share > 0.0 && share.is_finite() {
-            variances.iter_mut().for_each(|variance| *variance *= share);
+            variances.iter_mut().zip(&problem.floors).for_each(|(variance, floor)| {
+                *variance = (*variance * share).max(*floor);
+            });
         }
     }
     evaluation.system = evaluation.system.normalised();
@@ -79,6 +81,7 @@ pub(crate) fn conclude(
         Noise::Spectra(_) => None,
         _ => Some(uncertainty::noise_levels(&evaluation, &variances, units, estimated)),
     };
+    let model_error = uncertainty::model_error(&evaluation, &variances, layout.sensors);
     let record_chi_squared = evaluation
         .record_costs
         .iter()
@@ -103,6 +106,7 @@ pub(crate) fn conclude(
         determined: parameters.determined,
         identifiable: layout.identifiable(),
         noise_levels,
+        model_error,
         chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),
         record_chi_squared,
         whiteness,

@@ -38,6 +38,8 @@ pub struct Fit {
     pub identifiable: usize,
     /// Standard deviations of the noise in the sensors' units; `None` where the noise has a spectrum.
     pub noise_levels: Option<Vec<Estimate>>,
+    /// The relative model error eps of [`Noise::ModelError`](crate::likelihood::Noise::ModelError); `None` for other noise.
+    pub model_error: Option<Estimate>,
     /// The size of the residuals.
     pub chi_squared: ChiSquared,
     /// The same for each record alone: value per degree of freedom, parameters shared out by numbers of samples.

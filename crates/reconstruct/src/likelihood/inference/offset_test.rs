@@ -36,7 +36,12 @@ pub(crate) fn offset_test(
         return None;
     }
     let spectra = problem.spectra.iter().map(RecordSpectrum::without_zero).collect();
-    let without = Problem { layout: problem.layout.clone(), spectra, threads: problem.threads };
+    let without = Problem {
+        layout: problem.layout.clone(),
+        spectra,
+        threads: problem.threads,
+        floors: problem.floors.clone(),
+    };
     let limits = Limits {
         steps: STEPS,
         step_tolerance: STEP_TOLERANCE,

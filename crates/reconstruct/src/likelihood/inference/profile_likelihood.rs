@@ -79,12 +79,12 @@ pub fn profile_intervals(
     fit: &Fit,
     options: &Options,
 ) -> Result<Vec<Option<[f64; 2]>>, ReconstructError> {
-    let Refit { problem, evaluation, units } =
+    let Refit { problem, evaluation, variances, units: _ } =
         refit(records, fit, options, &mut RealFftPlanner::new())?;
     let profile = Profile {
         problem: &problem,
         optimum: evaluation,
-        variances: vec![1.0; units.len()],
+        variances,
         degrees_of_freedom: fit.chi_squared.degrees_of_freedom,
         period: fit.model.period.seconds(),
     };

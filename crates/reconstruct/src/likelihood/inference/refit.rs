@@ -5,7 +5,7 @@ use realfft::RealFftPlanner;
 use super::fit::Fit;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
 use crate::likelihood::cost::parameters::System;
-use crate::likelihood::cost::spectrum::{sensor_units, transform};
+use crate::likelihood::cost::spectrum::{floors, sensor_units, transform};
 use crate::likelihood::options::{Noise, Options};
 use crate::likelihood::validation;
 use crate::{ReconstructError, Record};
@@ -15,6 +15,8 @@ pub(crate) struct Refit {
     pub(crate) problem: Problem,
     /// At the fitted system.
     pub(crate) evaluation: Evaluation,
+    /// The variances of the noise, in these sensors, and the square of the model error where there is one.
+    pub(crate) variances: Vec<f64>,
     /// The unit of each scaled sensor.
     pub(crate) units: Vec<f64>,
 }
@@ -28,22 +30,29 @@ pub(crate) fn refit(
     let known = with_known_noise(fit, options);
     let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
     let units = sensor_units(records, &known);
+    let floors = floors(records, &units, &known);
     let spectra = records
         .iter()
         .enumerate()
         .map(|(index, record)| transform(record, index, &units, &known, planner))
         .collect::<Result<Vec<_>, _>>()?;
-    let problem = Problem { layout, spectra, threads: options.threads };
+    let problem = Problem { layout, spectra, threads: options.threads, floors };
     let system = System::scaled(&fit.model, &units, &problem.layout);
-    let evaluation = problem.evaluate(system, &vec![1.0; units.len()]);
-    Ok(Refit { problem, evaluation, units })
+    let mut variances = vec![1.0; units.len()];
+    variances.extend(fit.model_error.map(|error| error.value * error.value));
+    let evaluation = problem.evaluate(system, &variances);
+    Ok(Refit { problem, evaluation, variances, units })
 }
 
 /// The options of a fit with noise levels and hold as it knows them.
 fn with_known_noise(fit: &Fit, options: &Options) -> Options {
     let mut known = Options { hold: Some(fit.hold), ..options.clone() };
-    if let (Noise::Estimated { .. }, Some(levels)) = (&options.noise, &fit.noise_levels) {
-        known.noise = Noise::Given(levels.iter().map(|level| level.value).collect());
+    let Some(levels) = &fit.noise_levels else { return known };
+    let levels = levels.iter().map(|level| level.value).collect();
+    match &options.noise {
+        Noise::Estimated { .. } => known.noise = Noise::Given(levels),
+        Noise::ModelError { .. } => known.noise = Noise::ModelError { first_guess: Some(levels) },
+        Noise::Given(_) | Noise::Spectra(_) => {}
     }
     known
 }

@@ -49,15 +49,18 @@ pub(crate) fn spectral_fit(
     records: &[Record],
     model: &SharedModel,
     levels: &[f64],
+    model_error: Option<f64>,
     direct: &[usize],
     options: &Options,
 ) -> Result<Vec<SpectralFit>, ReconstructError> {
     let sensors = model.c.nrows();
     let (units, mut planner) = (vec![1.0; sensors], RealFftPlanner::new());
-    let variances: Vec<f64> = match &options.noise {
-        Noise::Given(given) => given.iter().map(|level| level.powi(2)).collect(),
-        _ => levels.iter().map(|level| level.powi(2)).collect(),
+    let levels = match &options.noise {
+        Noise::Given(given) => given,
+        _ => levels,
     };
+    let variances: Vec<f64> =
+        levels.iter().copied().chain(model_error).map(|level| level.powi(2)).collect();
     let mut fits = Vec::with_capacity(records.len());
     for (index, record) in records.iter().enumerate() {
         let spectrum = transform(record, index, &units, options, &mut planner)?;
@@ -179,10 +182,6 @@ impl At {
                 Entry::Sensors => columns.extend((0..m).map(unit)),
             }
         }
-        let white = |sensor: usize| {
-            let offset = if k == 0 { spectrum.offset_variance[sensor] } else { 0.0 };
-            variances.get(sensor).copied().unwrap_or(1.0) + offset
-        };
         let (precision, noise) = match &spectrum.precision {
             Some(all) => {
                 let own = DMatrix::from_row_slice(m, m, &all[k * m * m..(k + 1) * m * m]);
@@ -192,7 +191,8 @@ impl At {
                 (own, noise)
             }
             None => {
-                let noise: Vec<f64> = (0..m).map(white).collect();
+                let variance = |sensor| spectrum.variance(k, sensor, variances);
+                let noise: Vec<f64> = (0..m).map(variance).collect();
                 let inverse = noise.iter().map(|variance| Complex::new(1.0 / variance, 0.0));
                 (DMatrix::from_diagonal(&DVector::from_iterator(m, inverse)), noise)
             }

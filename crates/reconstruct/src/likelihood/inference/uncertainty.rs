@@ -267,6 +267,21 @@ fn estimate(mode: lti::Mode, n: usize, period: SamplePeriod, covariance: &DMatri
     }
 }
 
+/// The relative model error with its standard deviation, where the variances hold one behind those of the sensors.
+pub(crate) fn model_error(
+    evaluation: &Evaluation,
+    variances: &[f64],
+    sensors: usize,
+) -> Option<Estimate> {
+    let &square = variances.get(sensors)?;
+    let value = square.sqrt();
+    let deviation = match evaluation.information.clone().try_inverse() {
+        Some(covariance) => 0.5 * (2.0 * covariance[(sensors, sensors)].max(0.0)).sqrt() / value,
+        None => f64::INFINITY,
+    };
+    Some(Estimate { value, deviation })
+}
+
 /// Standard deviations in the sensors' units, with their own standard deviations where they were estimated.
 pub(crate) fn noise_levels(
     evaluation: &Evaluation,

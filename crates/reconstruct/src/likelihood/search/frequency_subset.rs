@@ -22,7 +22,12 @@ pub(crate) fn frequency_subset(problem: &Problem) -> Option<FrequencySubset> {
             thin
         })
         .collect();
-    let problem = Problem { layout: problem.layout.clone(), spectra, threads: problem.threads };
+    let problem = Problem {
+        layout: problem.layout.clone(),
+        spectra,
+        threads: problem.threads,
+        floors: problem.floors.clone(),
+    };
     (2 * after <= before).then_some(FrequencySubset { problem, largest_weight })
 }
 
@@ -59,6 +64,7 @@ fn thin(spectrum: &RecordSpectrum) -> (RecordSpectrum, f64) {
         entries: spectrum.entries.clone(),
         factors: Vec::with_capacity(wanted * entries),
         precision: spectrum.precision.as_ref().map(|_| Vec::with_capacity(wanted * m * m)),
+        power: spectrum.power.as_ref().map(|_| Vec::with_capacity(wanted * m)),
         offset_variance: spectrum.offset_variance.clone(),
         starts_at_zero: spectrum.starts_at_zero,
     };
@@ -70,6 +76,9 @@ fn thin(spectrum: &RecordSpectrum) -> (RecordSpectrum, f64) {
         thin.factors.extend_from_slice(&spectrum.factors[k * entries..(k + 1) * entries]);
         if let (Some(thin), Some(precision)) = (&mut thin.precision, &spectrum.precision) {
             thin.extend_from_slice(&precision[k * m * m..(k + 1) * m * m]);
+        }
+        if let (Some(thin), Some(power)) = (&mut thin.power, &spectrum.power) {
+            thin.extend_from_slice(&power[k * m..(k + 1) * m]);
         }
     }
     (thin, stands_for)

@@ -243,16 +243,14 @@ enum Whitening {
 
 impl Whitening {
     fn at(spectrum: &RecordSpectrum, variances: &[f64], k: usize) -> Self {
-        let m = variances.len();
+        let m = spectrum.offset_variance.len();
         if let Some(precision) = &spectrum.precision {
             let matrix = DMatrix::from_row_slice(m, m, &precision[k * m * m..(k + 1) * m * m]);
             if let Some(factor) = matrix.cholesky() {
                 return Self::Full(factor.l().adjoint());
             }
         }
-        let zero = k == 0 && spectrum.starts_at_zero;
-        let extra = |s: usize| if zero { spectrum.offset_variance[s] } else { 0.0 };
-        Self::Diagonal((0..m).map(|s| 1.0 / (variances[s] + extra(s)).sqrt()).collect())
+        Self::Diagonal((0..m).map(|s| 1.0 / spectrum.variance(k, s, variances).sqrt()).collect())
     }
 
     fn apply(&self, full: &mut DMatrix<Complex<f64>>, y: &mut [Complex<f64>]) {

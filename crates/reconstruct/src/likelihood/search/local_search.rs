@@ -29,7 +29,7 @@ pub(crate) fn optimise_from_start(
     residuals: f64,
     options: &Options,
 ) -> (StartReport, Option<LocalOptimum>) {
-    let mut variances = vec![1.0; units.len()];
+    let mut variances = problem.first_variances();
     let system = System::scaled(start, units, &problem.layout).normalised();
     let mut evaluation = problem.evaluate(system, &variances);
     evaluation = in_own_basis(problem, evaluation, &variances);
@@ -46,11 +46,11 @@ pub(crate) fn optimise_from_start(
         evaluation =
             better_directions(problem, evaluation, &variances, &mut report.direction_replaced);
     }
-    if matches!(options.noise, Noise::Estimated { first_guess: None }) {
+    if matches!(options.noise, Noise::Estimated { first_guess: None } | Noise::ModelError { .. }) {
         // A first idea of the levels before anything moves, since the directions depend on their ratios.
         const BEFORE_THE_SEARCH: usize = 3;
         for _ in 0..BEFORE_THE_SEARCH {
-            variances = noise_levels::updated(&evaluation, &variances).0;
+            variances = noise_levels::updated(&evaluation, &variances, &problem.floors).0;
             evaluation = problem.evaluate_again(evaluation, &variances);
         }
         if options.search.directions == InputDirections::Reestimated {
@@ -83,7 +83,8 @@ pub(crate) fn optimise(
     ceiling: Option<f64>,
     replaced: &mut [bool],
 ) -> LocalOptimum {
-    let estimate_levels = matches!(options.noise, Noise::Estimated { .. });
+    let estimate_levels =
+        matches!(options.noise, Noise::Estimated { .. } | Noise::ModelError { .. });
     let mut update = |evaluation: Evaluation, variances: &[f64]| {
         if options.search.directions == InputDirections::AsStarted {
             return evaluation;
@@ -98,7 +99,7 @@ pub(crate) fn optimise(
         let part = |spectrum: &RecordSpectrum| -> f64 {
             spectrum
                 .y
-                .chunks_exact(variances.len())
+                .chunks_exact(problem.layout.sensors)
                 .zip(&spectrum.weight)
                 .map(|(y, weight)| {
                     let sum: f64 = y.iter().zip(variances).map(|(y, v)| y.norm_sqr() / v).sum();
@@ -137,7 +138,7 @@ pub(crate) fn optimise(
         {
             break;
         }
-        let (next, change) = noise_levels::updated(&evaluation, &variances);
+        let (next, change) = noise_levels::updated(&evaluation, &variances, &problem.floors);
         search.levels_settled = change <= options.search.level_tolerance;
         if search.levels_settled {
             break;

@@ -12,11 +12,13 @@ use nalgebra::DVector;
 use crate::likelihood::cost::evaluation::Evaluation;
 
 /// The variances after one scoring step, and the largest change of the logarithm of one.
-pub(crate) fn updated(evaluation: &Evaluation, variances: &[f64]) -> (Vec<f64>, f64) {
+pub(crate) fn updated(
+    evaluation: &Evaluation,
+    variances: &[f64],
+    floors: &[f64],
+) -> (Vec<f64>, f64) {
     // One step changes a variance at most by this factor; noise-free records would send it to zero at once.
     const LARGEST_FACTOR: f64 = 100.0;
-    // In units of the first guess squared: rounding errors of a sensor lie above it.
-    const LEAST: f64 = 1e-24;
     let step = evaluation
         .information
         .clone()
@@ -27,9 +29,10 @@ pub(crate) fn updated(evaluation: &Evaluation, variances: &[f64]) -> (Vec<f64>, 
     let next: Vec<f64> = variances
         .iter()
         .zip(step.iter())
-        .map(|(&variance, step)| {
+        .zip(floors)
+        .map(|((&variance, step), floor)| {
             let (low, high) = (variance / LARGEST_FACTOR, variance * LARGEST_FACTOR);
-            (variance + step).clamp(low, high).max(LEAST)
+            (variance + step).clamp(low, high).max(*floor)
         })
         .collect();
     let change = next

@@ -25,7 +25,8 @@ fn on_threads(
     let spectrum = transform(record, 0, &[1.0; 3], &Options::default(), &mut RealFftPlanner::new());
     let layout =
         Layout { order: 3, sensors: 3, records: 1, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
-    let problem = Problem { layout, spectra: vec![spectrum.unwrap()], threads };
+    let problem =
+        Problem { layout, spectra: vec![spectrum.unwrap()], threads, floors: vec![1e-24; 3] };
     let system = System {
         a: model.a.clone(),
         c: model.c.clone(),

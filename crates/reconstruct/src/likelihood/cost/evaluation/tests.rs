@@ -80,7 +80,7 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
     let mut off = |x: f64| x * (1.0 + 0.02 * normal.next());
     let b = system.b.iter().map(|b| b.map(&mut off)).collect();
     let c = system.c.map(&mut off);
-    (Problem { layout, spectra, threads: 1 }, System { b, c, ..system })
+    (Problem { layout, spectra, threads: 1, floors: vec![1e-24; 3] }, System { b, c, ..system })
 }
 
 fn settle(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
@@ -248,4 +248,40 @@ fn a_complement_is_orthonormal() {
         assert!((basis.transpose() * &basis - DMatrix::identity(2, 2)).norm() < 1e-14);
     }
     assert_eq!(complement(&DVector::from_element(1, 3.0)).shape(), (1, 0));
+}
+
+#[test]
+fn score_and_information_are_those_of_the_restricted_likelihood() {
+    const STEP: f64 = 1e-5;
+    let (mut problem, system) = problem(false, false, false);
+    for spectrum in &mut problem.spectra {
+        // Any power serves; this one differs between sensors and frequencies.
+        let power = spectrum.y.iter().map(|y| 0.3 + y.norm_sqr());
+        spectrum.power = Some(power.collect());
+    }
+    let variances = [0.8, 1.3, 2.0, 1e-3];
+    let objective = |variances: &[f64]| {
+        let at = settle(&problem, system.clone(), variances);
+        at.cost + at.log_determinant
+    };
+    let here = settle(&problem, system.clone(), &variances);
+    for k in 0..variances.len() {
+        let mut moved = [variances; 2];
+        moved[0][k] *= 1.0 - STEP;
+        moved[1][k] *= 1.0 + STEP;
+        let slope = (objective(&moved[1]) - objective(&moved[0])) / (2.0 * STEP * variances[k]);
+        let error = (slope + here.score[k]).abs();
+        assert!(
+            error < 1e-5 * slope.abs().max(here.information[(k, k)] * variances[k]),
+            "{k}: {slope} {}",
+            here.score[k]
+        );
+        for l in 0..k {
+            assert!(
+                (here.information[(k, l)] - here.information[(l, k)]).abs()
+                    < 1e-12 * here.information[(k, k)].max(here.information[(l, l)])
+            );
+        }
+    }
+    assert!(here.information.clone().cholesky().is_some());
 }

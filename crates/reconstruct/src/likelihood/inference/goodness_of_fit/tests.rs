@@ -16,6 +16,7 @@ fn frequencies(samples: usize) -> RecordSpectrum {
         entries: Vec::new(),
         factors: Vec::new(),
         precision: None,
+        power: None,
         offset_variance: Vec::new(),
         starts_at_zero: true,
     }

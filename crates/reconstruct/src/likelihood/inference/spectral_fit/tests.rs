@@ -56,6 +56,7 @@ fn adds_up_with_everything_unknown() {
             &flights.records,
             &fit.model,
             &levels(&fit),
+            None,
             &fit.feedthrough_sensors,
             &options,
         )
@@ -77,6 +78,7 @@ fn response_and_noise_make_up_the_spectrum() {
         &flights.records,
         &fit.model,
         &levels(&fit),
+        None,
         &fit.feedthrough_sensors,
         &options,
     )

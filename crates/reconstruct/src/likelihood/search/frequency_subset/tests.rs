@@ -25,7 +25,10 @@ fn problem(samples: usize) -> (Problem, System) {
         System { a: model.a, c: model.c, b: model.b, d: vec![nalgebra::DVector::zeros(3); 2] };
     let truth =
         System { c: DMatrix::from_fn(3, 3, |i, k| truth.c[(i, k)] / flights.levels[i]), ..truth };
-    (Problem { layout, spectra: spectra.collect(), threads: 1 }, truth.normalised())
+    (
+        Problem { layout, spectra: spectra.collect(), threads: 1, floors: vec![1e-24; 3] },
+        truth.normalised(),
+    )
 }
 
 #[test]

@@ -204,7 +204,8 @@ fn a_problem_is_left_with_the_hold_that_was_found() {
     });
     let layout =
         Layout { order: 4, sensors: 3, records: 2, feedthrough: vec![], hold: Hold::ZeroOrder };
-    let mut problem = Problem { layout, spectra: spectra.collect(), threads: 1 };
+    let mut problem =
+        Problem { layout, spectra: spectra.collect(), threads: 1, floors: vec![1e-24; 3] };
     let residuals = 2.0 * 1100.0;
     let (found, evidence) =
         search_over_holds(&mut problem, &starts, &flights.levels, residuals, &options).unwrap();

@@ -1,6 +1,9 @@
-use crate::likelihood::fixtures::{Normal, fly, system};
-use crate::likelihood::{Options, identify};
 use num_complex::Complex;
+use realfft::RealFftPlanner;
+
+use crate::likelihood::fixtures::{Disturbance, Normal, fly, misses, system};
+use crate::likelihood::{Noise, Options, identify};
+use crate::{Channel, Record};
 
 #[test]
 fn noise_free_records_send_the_levels_down_without_breaking() {
@@ -13,4 +16,68 @@ fn noise_free_records_send_the_levels_down_without_breaking() {
         assert!(level.value.is_finite() && level.value < 1e-9, "{}", level.value);
     }
     assert!((fit.modes[0].discrete.value - Complex::new(0.5, 0.3)).norm() < 1e-9);
+}
+
+/// The record with each frequency of each sensor off by a random part of what it is, of this size.
+fn with_model_error(record: &Record, size: f64, normal: &mut Normal) -> Record {
+    let samples = record.samples();
+    let mut planner = RealFftPlanner::new();
+    let (there, back) = (planner.plan_fft_forward(samples), planner.plan_fft_inverse(samples));
+    let channels = record.channels().iter().map(|channel| {
+        let (mut input, mut spectrum) = (channel.values.clone(), there.make_output_vec());
+        there.process(&mut input, &mut spectrum).unwrap();
+        let last = spectrum.len() - 1;
+        for (k, value) in spectrum.iter_mut().enumerate() {
+            let real = k == 0 || (k == last && samples % 2 == 0);
+            let imaginary = if real { 0.0 } else { normal.next() };
+            let scale = if real { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
+            *value *= Complex::new(1.0 + scale * size * normal.next(), scale * size * imaginary);
+        }
+        back.process(&mut spectrum, &mut input).unwrap();
+        let values = input.iter().map(|value| value / samples as f64).collect();
+        Channel::new(channel.name.clone(), values)
+    });
+    Record::new(record.name(), record.period(), channels.collect()).unwrap()
+}
+
+#[test]
+fn a_model_error_is_found_beside_white_noise() {
+    const SIZE: f64 = 0.05;
+    let mut normal = Normal::new(7);
+    let eigenvalues = [Complex::new(0.9, 0.3), Complex::new(0.6, 0.0)];
+    let model = system(&eigenvalues, 3, 2, &mut normal);
+    let disturbance = Disturbance { noise: 0.02, offset: 0.0, trend: 0.0, known: 0.0 };
+    let flights = fly(&model, &[1000, 1000], &disturbance, &mut normal);
+    let records: Vec<Record> =
+        flights.records.iter().map(|record| with_model_error(record, SIZE, &mut normal)).collect();
+    let options = Options { noise: Noise::ModelError { first_guess: None }, ..Options::default() };
+    let fit = identify(&records, std::slice::from_ref(&model), &options).unwrap();
+    let found = fit.model_error.unwrap();
+    // The smoothed periodogram is as large as the signal on average, and scatters about it.
+    assert!((found.value / SIZE - 1.0).abs() < 0.2, "{found:?}");
+    assert!(found.deviation < 0.1 * found.value);
+    assert!((fit.chi_squared.per_degree_of_freedom() - 1.0).abs() < 0.05);
+    for (distance, deviations) in misses(&fit, &eigenvalues) {
+        assert!(deviations < 4.0, "off by {distance}, {deviations} deviations");
+    }
+    // Without it the same records have deviations that are too small, or levels that are too large.
+    let white = identify(&records, std::slice::from_ref(&model), &Options::default()).unwrap();
+    assert!(white.criterion > fit.criterion + 100.0);
+}
+
+#[test]
+fn linear_records_have_no_model_error() {
+    let mut normal = Normal::new(8);
+    let eigenvalues = [Complex::new(0.9, 0.3), Complex::new(0.6, 0.0)];
+    let model = system(&eigenvalues, 3, 2, &mut normal);
+    let disturbance = Disturbance { noise: 0.02, offset: 0.0, trend: 0.0, known: 0.0 };
+    let flights = fly(&model, &[1000, 1000], &disturbance, &mut normal);
+    let options = Options { noise: Noise::ModelError { first_guess: None }, ..Options::default() };
+    let fit = identify(&flights.records, std::slice::from_ref(&model), &options).unwrap();
+    // It stays at its bound, or where its own error leaves it.
+    let found = fit.model_error.unwrap();
+    assert!(found.value < 3e-3, "{found:?}");
+    for (level, expected) in fit.noise_levels.unwrap().iter().zip(&flights.levels) {
+        assert!((level.value / expected - 1.0).abs() < 0.1);
+    }
 }
