@@ -2,7 +2,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, misses, system};
-use crate::likelihood::{Noise, Options, identify};
+use crate::likelihood::{Noise, Options, identify, profile_intervals};
 use crate::{Channel, Record};
 
 #[test]
@@ -28,7 +28,7 @@ fn with_model_error(record: &Record, size: f64, normal: &mut Normal) -> Record {
         there.process(&mut input, &mut spectrum).unwrap();
         let last = spectrum.len() - 1;
         for (k, value) in spectrum.iter_mut().enumerate() {
-            let real = k == 0 || (k == last && samples % 2 == 0);
+            let real = k == 0 || (k == last && samples.is_multiple_of(2));
             let imaginary = if real { 0.0 } else { normal.next() };
             let scale = if real { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
             *value *= Complex::new(1.0 + scale * size * normal.next(), scale * size * imaginary);
@@ -60,6 +60,12 @@ fn a_model_error_is_found_beside_white_noise() {
     for (distance, deviations) in misses(&fit, &eigenvalues) {
         assert!(deviations < 4.0, "off by {distance}, {deviations} deviations");
     }
+    // What is asked of a finished fit knows of it, too.
+    let [low, high] = profile_intervals(&records, &fit, &options).unwrap()[0].unwrap();
+    let s = 0.6_f64.ln() / model.period.seconds();
+    let width = 2.0 * 1.96 * fit.modes[0].continuous.real_deviation();
+    assert!(low < s && s < high, "{low} {high}");
+    assert!(((high - low) / width - 1.0).abs() < 0.2, "{low} {high} {width}");
     // Without it the same records have deviations that are too small, or levels that are too large.
     let white = identify(&records, std::slice::from_ref(&model), &Options::default()).unwrap();
     assert!(white.criterion > fit.criterion + 100.0);
