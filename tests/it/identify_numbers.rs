@@ -82,8 +82,12 @@ fn same_modes(json: &Value, whole: &Reconstruction) {
             assert!(found["deviation"].is_null() && found["damping_ratio_interval_95"].is_null());
             continue;
         };
-        same(&found["deviation"]["re"], estimate.continuous.real_deviation(), "deviation");
-        same(&found["deviation"]["im"], estimate.continuous.imaginary_deviation(), "deviation");
+        same(&found["deviation"]["re"], estimate.continuous.real_standard_error(), "deviation");
+        same(
+            &found["deviation"]["im"],
+            estimate.continuous.imaginary_standard_error(),
+            "deviation",
+        );
         match expected.interval_95 {
             Some(interval) => {
                 for (end, expected) in interval.into_iter().enumerate() {

@@ -55,7 +55,7 @@ pub(crate) struct Part {
 }
 
 /// The example of part VI, which several parts of the reproduction look at: the paper's aircraft,
-/// its records, and what the printed method makes of them.
+/// its records, and what the paper's method makes of them.
 pub(crate) struct AircraftExample {
     aircraft: PaperAircraft,
     /// Aileron record, rudder record.

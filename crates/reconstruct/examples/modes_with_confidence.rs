@@ -42,13 +42,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     for estimate in found.modes.iter().filter_map(|found| found.estimate.as_ref()) {
         let (s, re, im) = (
             estimate.continuous.value,
-            estimate.continuous.real_deviation(),
-            estimate.continuous.imaginary_deviation(),
+            estimate.continuous.real_standard_error(),
+            estimate.continuous.imaginary_standard_error(),
         );
         writeln!(out, "{:.5} +- {re:.5}  {:+.5}j +- {im:.5} 1/s", s.re, s.im)?;
     }
     for level in found.noise_levels().iter().flatten() {
-        writeln!(out, "noise level {:.5} +- {:.5}", level.value, level.deviation)?;
+        writeln!(out, "noise level {:.5} +- {:.5}", level.value, level.standard_error)?;
     }
     for test in found.fit().map_or(&[][..], |fit| &fit.whiteness) {
         writeln!(out, "residuals of {} white? p = {:.2}", test.record, test.p_value)?;

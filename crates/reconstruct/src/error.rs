@@ -343,3 +343,20 @@ pub(crate) fn check_tolerance(name: &'static str, value: f64) -> Result<(), Reco
         Err(ReconstructError::InvalidTolerance { name, value })
     }
 }
+
+/// One positive number for each sensor.
+pub(crate) fn check_each(
+    name: &'static str,
+    values: &[f64],
+    sensors: usize,
+) -> Result<(), ReconstructError> {
+    if values.len() != sensors {
+        return Err(option(name, format!("{} values for {sensors} sensors", values.len())));
+    }
+    values.iter().try_for_each(|&value| check_tolerance(name, value))
+}
+
+/// An option that does not fit the records or another one.
+pub(crate) fn option(name: &'static str, message: String) -> ReconstructError {
+    ReconstructError::Option { name, message }
+}

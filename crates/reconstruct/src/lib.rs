@@ -25,6 +25,8 @@ pub mod likelihood;
 mod model;
 pub mod paper;
 mod reconstruction;
+#[cfg(test)]
+mod shipped;
 pub mod subspace;
 
 pub use error::ReconstructError;

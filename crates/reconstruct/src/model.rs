@@ -1,6 +1,6 @@
-//! What do the records hold, and what do they have in common? Records, the system that they share, and what is known about their noise.
+//! What do the records hold, and what do they have in common? Records and how they were measured, the system that they
+//! share, and what is known about their noise. `matching.rs` pairs points of the complex plane for whoever compares two lists of them.
 
-pub(crate) mod known_inputs;
 pub(crate) mod matching;
 mod measurement;
 mod noise_model;

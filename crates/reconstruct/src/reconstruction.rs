@@ -1,4 +1,4 @@
-//! From records to modes with confidence: the one entry point to all methods.
+//! Which modes do these records show, and what is there to doubt? The one entry point to all methods.
 
 mod doubt;
 mod options;
@@ -57,8 +57,8 @@ use crate::{ReconstructError, Record, paper, subspace};
 /// let found = reconstruct(&records, &Options::default())?;
 /// assert_eq!(found.modes.len(), 2);
 /// let slow = found.modes[1].estimate.as_ref().ok_or("no estimate")?.discrete;
-/// assert!((slow.value.re - 0.9).abs() < 3.0 * slow.real_deviation());
-/// assert!(slow.real_deviation() < 1e-3);
+/// assert!((slow.value.re - 0.9).abs() < 3.0 * slow.real_standard_error());
+/// assert!(slow.real_standard_error() < 1e-3);
 /// for doubt in &found.doubts {
 ///     println!("{}: {doubt}", doubt.code());
 /// }

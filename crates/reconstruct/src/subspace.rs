@@ -1,12 +1,12 @@
-//! Eigenvalues from the intersection of the records' signal subspaces: any excitation, noise of unknown level, no iteration over the model.
+//! Which dynamics do the signal subspaces of all records share? Any excitation, noise of unknown level, no iteration over the model.
 
 mod dense;
 mod diagnosis;
-mod direction;
 mod doubt;
 mod evidence;
 mod excitation;
 mod factor;
+mod input_direction;
 mod levels;
 mod limits;
 mod options;
@@ -17,18 +17,19 @@ mod whitening;
 
 use nalgebra::DVector;
 
+pub(crate) use diagnosis::of_order;
 pub use doubt::Doubt;
 pub use evidence::{Intersection, Mode, NoiseEvidence, NoiseOrigin, RecordEvidence};
 pub use excitation::ExcitationRank;
-pub use options::{Centring, DirectPath, Options, OrderChoice};
+pub use options::{Options, OrderChoice};
 pub use order::OrderEvidence;
 pub(crate) use order::{WEAK_GAP, best};
 
 use crate::{NoiseModel, ReconstructError, Record, SharedModel};
 use dense::Eigen;
 use diagnosis::{Findings, doubts, same_excitation};
-use direction::direction;
 use excitation::{excitation_rank, noise_edge};
+use input_direction::input_direction;
 use levels::Window;
 use limits::Setting;
 use order::Spaces;
@@ -133,7 +134,7 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, R
     for (j, (record, spectrum)) in records.iter().zip(&spectra).enumerate() {
         let annihilators = spaces.annihilators(j, order).into_owned();
         let excited =
-            direction(&annihilators, &observability, setting.sensors, setting.direct_path)?;
+            input_direction(&annihilators, &observability, setting.sensors, setting.direct_path)?;
         let columns = sources.columns[j];
         let counted = (spectrum.values.as_slice(), extent.block_rows);
         let source = &sources.records[j].0;

@@ -14,7 +14,7 @@ pub(crate) struct IdentifiedMode {
     pub(crate) mode: FoundMode,
     /// The mode's share in each channel, the largest of them 1; empty where nothing tells it.
     pub(crate) shape: Vec<Complex<f64>>,
-    /// Largest distance in z between the versions that the differences of transmissibilities have of it; from the printed method alone.
+    /// Largest distance in z between the versions that the differences of transmissibilities have of it; from the paper's method alone.
     pub(crate) spread: Option<f64>,
 }
 
@@ -22,7 +22,7 @@ impl IdentifiedMode {
     /// The 95 % interval of a real mode's eigenvalue in 1/s: from the likelihood where that was looked at, otherwise from the deviation. An end may be infinite.
     pub(crate) fn eigenvalue_interval_95(&self) -> Option<[f64; 2]> {
         let around = || {
-            let reach = NORMAL_95 * self.mode.estimate.as_ref()?.continuous.real_deviation();
+            let reach = NORMAL_95 * self.mode.estimate.as_ref()?.continuous.real_standard_error();
             let at = self.mode.mode.eigenvalue.re;
             Some([at - reach, at + reach])
         };
@@ -84,7 +84,7 @@ fn alternates(mode: &FoundMode) -> bool {
     mode.mode.discrete_eigenvalue.is_some_and(|z| z.im == 0.0 && z.re < 0.0)
 }
 
-/// C v with the eigenvector v of A, or what the printed method says of its own mode.
+/// C v with the eigenvector v of A, or what the paper's method says of its own mode.
 fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
     if let (Some(model), Some(vector)) = (result.model(), &mode.mode.eigenvector) {
         let reading = |row: usize| {
@@ -93,11 +93,11 @@ fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
         };
         return (0..model.c.nrows()).map(reading).collect();
     }
-    let printed = result.paper();
-    let own = printed.and_then(|printed| {
+    let solution = result.paper();
+    let own = solution.and_then(|solution| {
         let distance = |z: Complex<f64>| mode.mode.discrete_eigenvalue.map(|own| (own - z).norm());
-        printed.modes.iter().min_by(|a, b| {
-            let key = |shared: usize| distance(printed.shared.zeros[shared].value);
+        solution.modes.iter().min_by(|a, b| {
+            let key = |shared: usize| distance(solution.shared.zeros[shared].value);
             key(a.shared).unwrap_or(0.0).total_cmp(&key(b.shared).unwrap_or(0.0))
         })
     });

@@ -15,7 +15,7 @@ pub(crate) mod decimation;
 pub(crate) mod format;
 pub(crate) mod format_error;
 mod known_inputs;
-mod loading;
+pub(crate) mod loading;
 mod mat;
 pub(crate) mod npy;
 mod npz;

@@ -1,4 +1,4 @@
-//! Beyond the paper: what noise does to the printed method, and what this project makes of noisy
+//! Beyond the paper: what noise does to the paper's method, and what this project makes of noisy
 //! records.
 
 use num_complex::Complex;
@@ -14,7 +14,7 @@ use super::{AircraftExample, Part};
 use crate::TaskError;
 use crate::shared::averages::median;
 use crate::shared::matching::{holds_in_ellipse, with_conjugate};
-use crate::shared::methods::{Look, METHODS, RATIO_AXIS, apply, most_likely, printed_errors};
+use crate::shared::methods::{Look, METHODS, RATIO_AXIS, apply, most_likely, paper_errors};
 use crate::shared::modes::{MODES, TrueModes};
 use crate::shared::noisy_flights::{Excitation, Simulator};
 use crate::shared::parallel::{all_cores, in_parallel};
@@ -95,7 +95,7 @@ fn against_ratio(simulator: &Simulator) -> Result<Vec<(f64, Vec<Errors>)>, TaskE
             let truth = truth.list();
             [0, 1, 2].map(|mode| (modes[mode].continuous.value - truth[mode]).norm())
         });
-        Ok([printed_errors(&pair.records, &truth), likely])
+        Ok([paper_errors(&pair.records, &truth), likely])
     })?;
     let by_ratio = errors.chunks(usize::try_from(PAIRS).unwrap_or(1));
     Ok(RATIOS.into_iter().zip(by_ratio.map(<[_]>::to_vec)).collect())

@@ -13,7 +13,7 @@ use super::modes::{PerMode, TrueModes};
 /// A name and its look in all figures.
 pub(crate) type Look = (&'static str, Ink, Dash, Marker);
 
-/// The printed method, the intersection of signal subspaces, maximum likelihood.
+/// The paper's method, the intersection of signal subspaces, maximum likelihood.
 pub(crate) const METHODS: [Look; 3] = [
     ("as printed", Ink::Vermillion, Dash::Dotted, Marker::Cross),
     ("subspace", Ink::Sky, Dash::Dashed, Marker::Triangle),
@@ -40,21 +40,21 @@ pub(crate) fn apply(
     reconstruct(records, &options).ok()
 }
 
-/// Errors of the printed method: for each mode the closest of all zeros of all differences, of the
+/// Errors of the paper's method: for each mode the closest of all zeros of all differences, of the
 /// composite models as they are fitted and of what their realization keeps above the noise of the
 /// fit. With noise the differences share no zero; this gives the method what it cannot know, which
 /// of the zeros is the right one.
-pub(crate) fn printed_errors(records: &[Record], truth: &TrueModes) -> Option<PerMode> {
+pub(crate) fn paper_errors(records: &[Record], truth: &TrueModes) -> Option<PerMode> {
     let found = apply(records, Method::Paper, NoiseModel::Estimated, ORDER)?;
-    let printed = found.paper()?;
-    let realised = printed.differences.iter().flat_map(|difference| difference.zeros.clone());
-    let (first, second) = printed.identifications.split_at(printed.identifications.len() / 2);
+    let solution = found.paper()?;
+    let realised = solution.differences.iter().flat_map(|difference| difference.zeros.clone());
+    let (first, second) = solution.identifications.split_at(solution.identifications.len() / 2);
     let fitted = first.iter().zip(second).filter_map(|(first, second)| {
         difference_zeros(&unrealised(first)?, &unrealised(second)?).ok()
     });
     let found: Vec<_> = realised
         .chain(fitted.flatten())
-        .filter_map(|zero| z_to_s(zero.value, printed.period).ok())
+        .filter_map(|zero| z_to_s(zero.value, solution.period).ok())
         .collect();
     nearest(&found, truth)
 }

@@ -55,13 +55,13 @@ impl JudgedFit {
 fn scores(modes: &[likelihood::Mode; 3], truth: &TrueModes) -> [f64; 4] {
     let [spiral, roll, dutch_roll] = modes.each_ref().map(|mode| &mode.continuous);
     let real = |estimate: &ComplexEstimate, truth: Complex<f64>| {
-        (estimate.value.re - truth.re) / estimate.real_deviation()
+        (estimate.value.re - truth.re) / estimate.real_standard_error()
     };
     [
         real(spiral, truth.spiral),
         real(roll, truth.roll),
         real(dutch_roll, truth.dutch_roll),
-        (dutch_roll.value.im.abs() - truth.dutch_roll.im) / dutch_roll.imaginary_deviation(),
+        (dutch_roll.value.im.abs() - truth.dutch_roll.im) / dutch_roll.imaginary_standard_error(),
     ]
     .map(|z| if z.is_finite() { z } else { LOST })
 }
@@ -82,7 +82,7 @@ fn holds_real(estimate: &ComplexEstimate, truth: Complex<f64>) -> bool {
     // 1.96 deviations hold 95 % of a normal distribution.
     const NORMAL_95: f64 = 1.959_963_984_540_054;
     estimate.value.im.abs() <= 0.0
-        && (estimate.value.re - truth.re).abs() <= NORMAL_95 * estimate.real_deviation()
+        && (estimate.value.re - truth.re).abs() <= NORMAL_95 * estimate.real_standard_error()
 }
 
 /// The likelihood of the records from one start, which with no steps is the likelihood at the

@@ -3,31 +3,23 @@
 
 mod document;
 mod figures;
+mod kind;
 mod one_run;
 mod summary;
 
 use report::Document;
-use serde::{Deserialize, Serialize};
 
 use super::definition::{Runs, Study};
 use super::sections::sections;
 use crate::TaskError;
 use crate::shared::noisy_flights::{Excitation, Simulator};
+use kind::Kind;
 use one_run::Outcome;
 use summary::Summary;
 
 /// Errors, deviations and coverage of each method, for four excitations and four levels of noise.
 pub(super) struct NoiseStudy {
     simulator: Simulator,
-}
-
-/// What is varied.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Kind {
-    excitation: Excitation,
-    /// Root mean square of each sensor's signal over that of its noise, see
-    /// [`Pair`](crate::shared::noisy_flights::Pair).
-    signal_to_noise: u32,
 }
 
 const SIGNAL_TO_NOISE: [u32; 4] = [1000, 100, 30, 10];

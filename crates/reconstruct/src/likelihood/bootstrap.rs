@@ -70,7 +70,7 @@ pub struct BootstrapMode {
 /// let Bootstrap { modes, lost, .. } = bootstrap(&records, &fit, &options, 30, &mut || random.normal())?;
 /// assert_eq!(lost, 0);
 /// // The scatter of the slow mode agrees with its standard error within the sampling error of 30 repetitions.
-/// let ratio = modes[1].continuous.real_deviation() / fit.modes[1].continuous.real_deviation();
+/// let ratio = modes[1].continuous.real_standard_error() / fit.modes[1].continuous.real_standard_error();
 /// assert!((0.5..2.0).contains(&ratio), "{ratio}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -87,8 +87,7 @@ pub fn bootstrap(
     let again = refitted(fit, options);
     let starts = std::slice::from_ref(&fit.model);
     let mut planner = RealFftPlanner::new();
-    let Refit { problem, evaluation, variances, units } =
-        refit(records, fit, options, &mut planner)?;
+    let Refit { problem, evaluation, variances, units } = refit(records, fit, options)?;
     let parts = problem
         .spectra
         .iter()

@@ -3,6 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `spectrum.rs` | records to the frequency domain; offsets, trends, bands, known inputs |
+//! | `noise.rs` | variances of the noise: units, starts, floors; the power that a model error is a part of |
 //! | `parameters.rs` | the unknowns, and where each of them stands in the vector of parameters |
 //! | `first_order_hold.rs` | d_j of an excitation that moves between samples |
 //! | `feedback.rs`, `record_system.rs`, `schur_form.rs` | the system as one record sees it, prepared for the loop over frequencies |
@@ -16,6 +17,7 @@ pub(crate) mod evaluation;
 pub(crate) mod feedback;
 pub(crate) mod first_order_hold;
 mod frequency_block;
+pub(crate) mod noise;
 pub(crate) mod parameters;
 mod record_system;
 pub(crate) mod resolvent;

@@ -1,9 +1,7 @@
 //! From records and starts to the most likely system.
 
-use realfft::RealFftPlanner;
-
 use super::cost::evaluation::Problem;
-use super::cost::spectrum::{floors, sensor_units, transform};
+use super::cost::noise::sensor_units;
 use super::inference::conclusion::conclude;
 use super::inference::fit::Fit;
 use super::options::Options;
@@ -42,10 +40,10 @@ use crate::{ReconstructError, Record, SharedModel};
 /// };
 /// let fit = identify(&records, &[start], &Options::default())?;
 /// let slow = fit.modes[1].discrete;
-/// assert!((slow.value.re - 0.9).abs() < 3.0 * slow.real_deviation());
-/// assert!(slow.real_deviation() < 1e-3);
+/// assert!((slow.value.re - 0.9).abs() < 3.0 * slow.real_standard_error());
+/// assert!(slow.real_standard_error() < 1e-3);
 /// let level = fit.noise_levels.as_ref().ok_or("no levels")?[0];
-/// assert!((level.value - 0.01).abs() < 3.0 * level.deviation);
+/// assert!((level.value - 0.01).abs() < 3.0 * level.standard_error);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn identify(
@@ -55,14 +53,7 @@ pub fn identify(
 ) -> Result<Fit, ReconstructError> {
     let layout = validation::check(records, starts, options)?;
     let units = sensor_units(records, options);
-    let floors = floors(records, &units, options);
-    let mut planner = RealFftPlanner::new();
-    let spectra = records
-        .iter()
-        .enumerate()
-        .map(|(index, record)| transform(record, index, &units, options, &mut planner))
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut problem = Problem { layout, spectra, threads: options.threads, floors };
+    let mut problem = Problem::new(layout, records, &units, options)?;
     let residuals: f64 =
         problem.spectra.iter().map(|spectrum| spectrum.residuals(problem.layout.sensors)).sum();
     let needed = problem.layout.identifiable() as f64

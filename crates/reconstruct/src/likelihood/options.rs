@@ -26,6 +26,13 @@ pub enum Noise {
     Spectra(Vec<NoiseSpectrum>),
 }
 
+impl Noise {
+    /// Whether its variances are estimated from the records.
+    pub(crate) fn is_estimated(&self) -> bool {
+        matches!(self, Self::Estimated { .. } | Self::ModelError { .. })
+    }
+}
+
 /// Where the direction of each record's excitation comes from before everything is fitted together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]

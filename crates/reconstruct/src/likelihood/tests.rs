@@ -94,7 +94,7 @@ fn agrees_with_numpy_where_noise_levels_are_known() {
                 for s in [Complex::new(-0.545_56, 0.0), Complex::new(-0.001_59, 0.0)] {
                     let mode = closest(&fit, s);
                     let miss = (mode.continuous.value - s).norm();
-                    assert!(miss < 2.0 * mode.continuous.real_deviation(), "{s}: {miss}");
+                    assert!(miss < 2.0 * mode.continuous.real_standard_error(), "{s}: {miss}");
                 }
                 continue;
             }
@@ -108,7 +108,7 @@ fn agrees_with_numpy_where_noise_levels_are_known() {
                 let mode = closest(&fit, s);
                 let miss = (mode.continuous.value - s).norm() / get("sd_re");
                 assert!(miss < 0.05, "{pair} {key} {s}: {miss} deviations away");
-                let ratio = mode.continuous.real_deviation() / get("sd_re");
+                let ratio = mode.continuous.real_standard_error() / get("sd_re");
                 // At 20 dB the plain version's deviations are too small by what noise adds to its Jacobian: see `uncertainty.rs`.
                 let (low, high) = if pair == "white_snr10" { (1.0, 1.05) } else { (0.98, 1.02) };
                 assert!(low < ratio && ratio < high, "{pair} {key} {s}: deviation {ratio}");
@@ -127,10 +127,10 @@ fn estimated_levels_are_those_of_the_simulation() {
             assert!(fit.search.levels_settled && fit.search.status == SearchStatus::Converged);
             let truth = numbers(&value["noise_true"]);
             for (level, truth) in fit.noise_levels.as_ref().unwrap().iter().zip(&truth) {
-                let miss = (level.value - truth).abs() / level.deviation;
+                let miss = (level.value - truth).abs() / level.standard_error;
                 assert!(miss < 3.0, "{pair} {key}: {} for {truth}", level.value);
                 let long = records[0].samples() == 2000;
-                assert!(level.deviation < if long { 0.02 } else { 0.05 } * truth);
+                assert!(level.standard_error < if long { 0.02 } else { 0.05 } * truth);
             }
             // By construction, which is why there is no probability.
             assert!((fit.chi_squared.per_degree_of_freedom() - 1.0).abs() < 1e-6);
@@ -212,7 +212,7 @@ proptest! {
             prop_assert!(deviations < 5.0, "{eigenvalues:?} {miss:e} {deviations}");
         }
         for (level, truth) in fit.noise_levels.unwrap().iter().zip(&flights.levels) {
-            prop_assert!((level.value - truth).abs() < 5.0 * level.deviation);
+            prop_assert!((level.value - truth).abs() < 5.0 * level.standard_error);
         }
     }
 }
@@ -234,9 +234,9 @@ fn deviations_are_those_of_the_errors() {
             });
             let found = mode.unwrap().discrete;
             let error = found.value - z;
-            let mut scores = vec![error.re / found.real_deviation()];
+            let mut scores = vec![error.re / found.real_standard_error()];
             if z.im != 0.0 {
-                scores.push(error.im / found.imaginary_deviation());
+                scores.push(error.im / found.imaginary_standard_error());
             }
             for (part, score) in scores.into_iter().enumerate() {
                 squares[2 * k + part] += score * score / 100.0;
@@ -419,8 +419,8 @@ fn the_same_whatever_the_units_and_the_basis() {
     let scaled = identify(&records, &[start], &given(&levels)).unwrap();
     assert!((plain.chi_squared.value / scaled.chi_squared.value - 1.0).abs() < 1e-6);
     for (x, y) in plain.modes.iter().zip(&scaled.modes) {
-        let deviation = x.discrete.real_deviation();
+        let deviation = x.discrete.real_standard_error();
         assert!((x.discrete.value - y.discrete.value).norm() < 1e-3 * deviation);
-        assert!((deviation / y.discrete.real_deviation() - 1.0).abs() < 1e-3);
+        assert!((deviation / y.discrete.real_standard_error() - 1.0).abs() < 1e-3);
     }
 }

@@ -2,9 +2,8 @@
 
 use super::cost::parameters::Layout;
 use super::options::{FrequencyBand, Hold, InputDirections, Noise, Options};
-use crate::Offsets;
-use crate::error::check_tolerance;
-use crate::model::record::check_compatible;
+use crate::error::{check_each, check_tolerance, option};
+use crate::model::record::{check_compatible, refuse_constant_channels};
 use crate::{ReconstructError, Record, SharedModel};
 
 /// Checks that everything fits together, and says how many unknowns there are.
@@ -21,7 +20,7 @@ pub(super) fn check(
     if sensors < 2 {
         return Err(ReconstructError::TooFewSensors { found: sensors, needed: 2 });
     }
-    crate::model::record::refuse_constant_channels(records)?;
+    refuse_constant_channels(records)?;
     check_options(records, sensors, options)?;
     let Some(start) = starts.first() else {
         return Err(option("starts", "none is given, at least one is needed".to_owned()));
@@ -39,10 +38,6 @@ pub(super) fn check(
     })
 }
 
-fn option(name: &'static str, message: String) -> ReconstructError {
-    ReconstructError::Option { name, message }
-}
-
 fn check_options(
     records: &[Record],
     sensors: usize,
@@ -57,7 +52,7 @@ fn check_options(
         Noise::Given(levels)
         | Noise::Estimated { first_guess: Some(levels) }
         | Noise::ModelError { first_guess: Some(levels) } => {
-            check_levels("noise levels", levels, sensors)?;
+            check_each("noise levels", levels, sensors)?;
         }
         Noise::Estimated { first_guess: None } | Noise::ModelError { first_guess: None } => {}
         Noise::Spectra(spectra) => {
@@ -74,35 +69,12 @@ fn check_options(
             }
         }
     }
-    if let Offsets::PriorDeviation(deviations) = &options.measurement.offsets {
-        check_levels("deviations of offsets", deviations, sensors)?;
-    }
     if let Some(FrequencyBand { lowest_rad_s, highest_rad_s }) = options.band
         && !(lowest_rad_s >= 0.0 && highest_rad_s > lowest_rad_s)
     {
         return Err(option("band", format!("from {lowest_rad_s} to {highest_rad_s} rad/s")));
     }
-    let listed = &options.measurement.feedthrough_sensors;
-    for (place, &sensor) in listed.iter().enumerate() {
-        if sensor >= sensors || listed[..place].contains(&sensor) {
-            return Err(option(
-                "feedthrough sensors",
-                format!("sensor {sensor} is listed twice or beyond the {sensors} sensors"),
-            ));
-        }
-    }
-    crate::model::known_inputs::check_known_inputs(records, &options.measurement.known_inputs)
-}
-
-fn check_levels(
-    name: &'static str,
-    levels: &[f64],
-    sensors: usize,
-) -> Result<(), ReconstructError> {
-    if levels.len() != sensors {
-        return Err(option(name, format!("{} values for {sensors} sensors", levels.len())));
-    }
-    levels.iter().try_for_each(|&level| check_tolerance(name, level))
+    options.measurement.check(records)
 }
 
 fn check_start(

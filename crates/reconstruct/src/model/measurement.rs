@@ -1,5 +1,8 @@
 //! How the records were measured: what sensors and recorded inputs bring into them beside the response to the unknown excitation.
 
+use crate::error::{check_each, option};
+use crate::{ReconstructError, Record};
+
 /// The constant that each sensor adds to its readings.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -58,4 +61,64 @@ impl Default for Measurement {
             known_inputs: Vec::new(),
         }
     }
+}
+
+impl Measurement {
+    /// Refuses what does not fit the records, which have channels of the same number each.
+    pub(crate) fn check(&self, records: &[Record]) -> Result<(), ReconstructError> {
+        let sensors = records.first().map_or(0, |record| record.channels().len());
+        if let Offsets::PriorDeviation(deviations) = &self.offsets {
+            check_each("deviations of offsets", deviations, sensors)?;
+        }
+        for (place, &sensor) in self.feedthrough_sensors.iter().enumerate() {
+            if sensor >= sensors || self.feedthrough_sensors[..place].contains(&sensor) {
+                return Err(option(
+                    "feedthrough sensors",
+                    format!("sensor {sensor} is listed twice or beyond the {sensors} sensors"),
+                ));
+            }
+        }
+        check_known_inputs(records, &self.known_inputs)
+    }
+}
+
+/// Refuses inputs that do not fit the records: for each record a list of signals as long as the record, finite and not zero throughout.
+fn check_known_inputs(
+    records: &[Record],
+    inputs: &[Vec<Vec<f64>>],
+) -> Result<(), ReconstructError> {
+    const NAME: &str = "known inputs";
+    if !inputs.is_empty() && inputs.len() != records.len() {
+        return Err(option(
+            NAME,
+            format!("lists for {} of {} records", inputs.len(), records.len()),
+        ));
+    }
+    for (record, list) in records.iter().zip(inputs) {
+        for input in list {
+            if input.len() != record.samples() {
+                return Err(option(
+                    NAME,
+                    format!(
+                        "record {:?} has {} samples, an input of it {}",
+                        record.name(),
+                        record.samples(),
+                        input.len()
+                    ),
+                ));
+            }
+            if input.iter().any(|value| !value.is_finite())
+                || input.iter().all(|&v| v.abs() < f64::MIN_POSITIVE)
+            {
+                return Err(option(
+                    NAME,
+                    format!(
+                        "an input of record {:?} is not finite or zero throughout",
+                        record.name()
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
 }

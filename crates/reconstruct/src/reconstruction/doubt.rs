@@ -86,7 +86,7 @@ pub(super) fn doubts(
     if let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels) {
         let channels = records[0].channels().iter();
         for ((channel, &subspace), level) in channels.zip(&first.noise.deviations).zip(levels) {
-            if level.value - 3.0 * level.deviation > LEVEL_RATIO * subspace {
+            if level.value - 3.0 * level.standard_error > LEVEL_RATIO * subspace {
                 let (sensor, likelihood) = (channel.name.clone(), level.value);
                 doubts.push(Doubt::LevelsDisagree { sensor, subspace, likelihood });
             }

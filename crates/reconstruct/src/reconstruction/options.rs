@@ -3,10 +3,8 @@
 use crate::likelihood::{FrequencyBand, Hold, Noise, SearchOptions};
 use crate::model::record::rms;
 use crate::model::{AutoregressionOrder, VectorAutoregression};
-use crate::subspace::{Centring, DirectPath, Intersection, NoiseOrigin, OrderChoice};
-use crate::{
-    Measurement, NoiseModel, Offsets, ReconstructError, Record, Trend, likelihood, paper, subspace,
-};
+use crate::subspace::{Intersection, NoiseOrigin, OrderChoice};
+use crate::{Measurement, NoiseModel, ReconstructError, Record, likelihood, paper, subspace};
 
 /// How to reconstruct.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,16 +92,11 @@ impl Options {
     /// The options of the first stage.
     #[must_use]
     pub fn subspace(&self) -> subspace::Options {
-        let Measurement { offsets, trend, feedthrough_sensors, known_inputs } = &self.measurement;
-        let still = *offsets == Offsets::Zero && *trend == Trend::Absent;
-        let direct = !feedthrough_sensors.is_empty();
         subspace::Options {
             order: self.order,
             block_rows: self.block_rows,
             noise: self.noise.clone(),
-            centring: if still { Centring::None } else { Centring::Rows },
-            known_inputs: known_inputs.clone(),
-            direct_path: if direct { DirectPath::Present } else { DirectPath::Absent },
+            measurement: self.measurement.clone(),
         }
     }
 

@@ -139,7 +139,7 @@ impl Reconstruction {
         }
         let noise = &self.intersection()?.noise;
         let white = !matches!(noise.origin, NoiseOrigin::Quiet { .. });
-        let levels = noise.deviations.iter().map(|&value| Estimate { value, deviation: 0.0 });
+        let levels = noise.deviations.iter().map(|&value| Estimate { value, standard_error: 0.0 });
         white.then(|| levels.collect())
     }
 

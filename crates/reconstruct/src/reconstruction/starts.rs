@@ -2,7 +2,7 @@
 
 use super::doubt::Doubt;
 use super::options::Options;
-use crate::subspace::{Intersection, NoiseOrigin, OrderChoice, OrderEvidence, WEAK_GAP, best};
+use crate::subspace::{Intersection, NoiseOrigin, OrderChoice, OrderEvidence, best, of_order};
 use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
 
 /// What the first stage says.
@@ -105,24 +105,7 @@ pub(super) fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<Doubt> 
     let about_order = |doubt: &subspace::Doubt| {
         matches!(doubt, subspace::Doubt::WeakOrder { .. } | subspace::Doubt::ContestedOrder { .. })
     };
-    let mut doubts: Vec<subspace::Doubt> = Vec::new();
-    if combined {
-        let (gap, order_used) = (order.gap, order.order);
-        if gap < WEAK_GAP {
-            doubts.push(subspace::Doubt::WeakOrder { order: order_used, gap });
-        }
-        let largest = order.gaps.iter().max_by(|x, y| x.1.total_cmp(&y.1));
-        if let Some(&(other, other_gap)) = largest
-            && other != order_used
-        {
-            doubts.push(subspace::Doubt::ContestedOrder {
-                order: order_used,
-                gap,
-                other,
-                other_gap,
-            });
-        }
-    }
+    let mut doubts = if combined { of_order(order) } else { Vec::new() };
     doubts.extend(first.doubts.iter().filter(|doubt| !combined || !about_order(doubt)).cloned());
     doubts.into_iter().map(Doubt::Subspace).collect()
 }

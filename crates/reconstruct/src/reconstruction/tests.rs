@@ -4,8 +4,9 @@ mod options;
 mod planted;
 
 use super::*;
+use crate::shipped::{pair, read};
 use crate::{Channel, Method, NoiseModel, Options, subspace::OrderChoice};
-use flights::{TRUTH, pair};
+use flights::TRUTH;
 use num_complex::Complex;
 
 /// Distance of each true eigenvalue from the closest one found, in 1/s, and in deviations where there are any.
@@ -26,8 +27,7 @@ fn misses(found: &Reconstruction) -> Vec<(f64, f64)> {
 
 #[test]
 fn noisy_records_give_modes_levels_and_no_doubt() {
-    let levels: serde_json::Value =
-        serde_json::from_str(&flights::read("noise_levels.json")).unwrap();
+    let levels: serde_json::Value = serde_json::from_str(&read("noise_levels.json")).unwrap();
     for (name, tolerance) in
         [("white_snr100", 0.05), ("white_snr10", 0.05), ("multistep_snr100", 0.15)]
     {

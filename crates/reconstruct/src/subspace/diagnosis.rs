@@ -27,20 +27,26 @@ pub(super) struct Findings<'a> {
     pub(super) condition: f64,
 }
 
-/// All doubts but that of equal excitations.
-pub(super) fn doubts(findings: &Findings<'_>) -> Vec<Doubt> {
+/// Doubts about the number of states.
+pub(crate) fn of_order(evidence: &OrderEvidence) -> Vec<Doubt> {
+    let OrderEvidence { order, gap, ref gaps, .. } = *evidence;
     let mut doubts = Vec::new();
-    let OrderEvidence { order, gap, gaps, .. } = findings.order;
-    if *gap < WEAK_GAP {
-        doubts.push(Doubt::WeakOrder { order: *order, gap: *gap });
+    if gap < WEAK_GAP {
+        doubts.push(Doubt::WeakOrder { order, gap });
     }
     let largest = gaps.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some(&(other, other_gap)) = largest
-        && other != *order
-        && other_gap > *gap
+        && other != order
+        && other_gap > gap
     {
-        doubts.push(Doubt::ContestedOrder { order: *order, gap: *gap, other, other_gap });
+        doubts.push(Doubt::ContestedOrder { order, gap, other, other_gap });
     }
+    doubts
+}
+
+/// All doubts but that of equal excitations.
+pub(super) fn doubts(findings: &Findings<'_>) -> Vec<Doubt> {
+    let mut doubts = of_order(findings.order);
     if let NoiseOrigin::Estimated { rounds, converged: false } = findings.noise.origin {
         doubts.push(Doubt::NoiseNotConverged { rounds });
     }

@@ -1,15 +1,32 @@
 //! What records and options must satisfy, and how many block rows they allow.
 
-use super::options::{Centring, DirectPath, Options, OrderChoice};
-use crate::model::known_inputs::check_known_inputs;
+use super::options::{Options, OrderChoice};
 use crate::model::record::check_compatible;
-use crate::{NoiseModel, ReconstructError, Record};
+use crate::{Measurement, NoiseModel, Offsets, ReconstructError, Record, Trend};
 
 /// Rows of the block-Hankel matrix beyond which accuracy no longer grows at 2000 samples.
 const USEFUL_ROWS: usize = 96;
 
 /// Columns wanted for each row: with fewer, noise and signal of a sample covariance mix.
 const COLUMNS_PER_ROW: usize = 3;
+
+/// What is done about constant offsets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Centring {
+    /// The rows of the block-Hankel matrices are centred.
+    Rows,
+    /// Nothing: there are none.
+    None,
+}
+
+/// Whether sensors read the excitation directly: then `d_j` is estimated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DirectPath {
+    /// No sensor does, as of positions, angles and rates.
+    Absent,
+    /// Some do, as accelerometers.
+    Present,
+}
 
 /// J records of m sensors that fit together.
 #[derive(Clone, Copy, Debug)]
@@ -55,9 +72,14 @@ impl<'a> Setting<'a> {
                 Some(quiet)
             }
         };
-        check_known_inputs(records, &options.known_inputs)?;
-        let (centring, direct_path) = (options.centring, options.direct_path);
-        Ok(Self { records, quiet, sensors, centring, direct_path, known: &options.known_inputs })
+        options.measurement.check(records)?;
+        let Measurement { offsets, trend, feedthrough_sensors, known_inputs: known } =
+            &options.measurement;
+        let still = *offsets == Offsets::Zero && *trend == Trend::Absent;
+        let centring = if still { Centring::None } else { Centring::Rows };
+        let direct = !feedthrough_sensors.is_empty();
+        let direct_path = if direct { DirectPath::Present } else { DirectPath::Absent };
+        Ok(Self { records, quiet, sensors, centring, direct_path, known })
     }
 
     /// `J (m - 1) - m`, at least 1.

@@ -1,6 +1,6 @@
 //! What can be chosen about the intersection of signal subspaces.
 
-use crate::NoiseModel;
+use crate::{Measurement, NoiseModel, Offsets};
 
 /// How the number of states is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,39 +15,17 @@ pub enum OrderChoice {
     },
 }
 
-/// Whether sensors are taken to read zero in equilibrium.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Centring {
-    /// Sensors may be offset by a constant that differs from record to record: rows of the block-Hankel matrices are centred, which removes
-    /// it exactly. Slow modes of short records suffer. The default, since an offset that is not removed counts as a state.
-    #[default]
-    Rows,
-    /// Sensors read zero in equilibrium.
-    None,
-}
-
-/// Whether sensors read the excitation directly.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum DirectPath {
-    /// No sensor does, as of positions, angles and rates. The default.
-    #[default]
-    Absent,
-    /// Some do, as accelerometers: `d_j` is estimated. It costs one noise direction for each record.
-    Present,
-}
-
 /// What [`identify`](super::identify) may be told.
 ///
 /// # Example
 ///
 /// ```
-/// use reconstruct::subspace::{Centring, Options, OrderChoice};
+/// use reconstruct::Offsets;
+/// use reconstruct::subspace::{Options, OrderChoice};
 ///
 /// let mut options = Options::default();
 /// options.order = OrderChoice::Fixed(4);
-/// options.centring = Centring::None;
+/// options.measurement.offsets = Offsets::Zero;
 /// assert_eq!(options.block_rows, None);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -62,14 +40,14 @@ pub struct Options {
     pub block_rows: Option<usize>,
     /// The noise of the sensors. By default estimated.
     pub noise: NoiseModel,
-    /// Whether sensors may be offset. By default they may.
-    pub centring: Centring,
-    /// Whether sensors read the excitation directly. By default they don't.
-    pub direct_path: DirectPath,
-    /// Inputs that were recorded: for each record a list of signals as long as the record; empty where nothing was recorded. What L samples of
-    /// them explain is taken out of the block-Hankel matrices, so that they are no further excitations. Eigenvalues of records without noise then
-    /// come out to about 1e-8 only.
-    pub known_inputs: Vec<Vec<Vec<f64>>>,
+    /// Offsets, drift and feedthrough of the sensors, recorded inputs.
+    ///
+    /// By default sensors may be offset by a constant that differs from record to record, since an offset that is not removed counts as a state:
+    /// rows of the block-Hankel matrices are centred, which removes it exactly. Slow modes of short records suffer. Rows are not centred where
+    /// offsets are zero and drift is absent; of a drift nothing more is known here. Sensors with feedthrough cost one noise direction for each
+    /// record. What L samples of recorded inputs explain is taken out of the block-Hankel matrices, so that they are no further excitations;
+    /// eigenvalues of records without noise then come out to about 1e-8 only.
+    pub measurement: Measurement,
 }
 
 impl Default for Options {
@@ -78,9 +56,7 @@ impl Default for Options {
             order: OrderChoice::Gap { largest: 10 },
             block_rows: None,
             noise: NoiseModel::default(),
-            centring: Centring::default(),
-            direct_path: DirectPath::default(),
-            known_inputs: Vec::new(),
+            measurement: Measurement { offsets: Offsets::Free, ..Measurement::default() },
         }
     }
 }

@@ -5,8 +5,7 @@ use nalgebra::DMatrix;
 
 use super::dense::{Eigen, eigen, eigenvalues};
 use super::factor::triangle;
-use super::limits::Setting;
-use super::options::Centring;
+use super::limits::{Centring, Setting};
 use super::whitening::{Source, Whitening};
 use crate::model::record::rms;
 use crate::{Channel, ReconstructError, Record};

@@ -82,7 +82,7 @@ fn whole_name(record: &Record) -> &str {
     record.name().rsplit_once('#').map_or(record.name(), |(whole, _)| whole)
 }
 
-/// The printed method compares records with each other, and those of one excitation are equal to it: of each record it takes the longest stretch.
+/// The paper's method compares records with each other, and those of one excitation are equal to it: of each record it takes the longest stretch.
 fn keep_longest(input: &mut Input) {
     let wholes = input.sources.last().map_or(0, |last| last.whole + 1);
     let mut kept = Vec::new();

@@ -1,6 +1,6 @@
 //! The result as JSON: a stable form for other programs, which docs/identify.schema.json describes.
 
-mod printed;
+mod paper;
 
 use reconstruct::likelihood;
 use reconstruct::likelihood::{Estimate, Hold, SearchStatus};
@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use crate::CommandError;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
-use printed::TransmissibilityOutput;
+use paper::TransmissibilityOutput;
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -29,7 +29,7 @@ struct Output<'a> {
     hold: Option<HoldOutput>,
     goodness: GoodnessOutput,
     search: Option<SearchOutput>,
-    /// Smallest spread of a group of zeros that the printed method refused as a mode.
+    /// Smallest spread of a group of zeros that the paper's method refused as a mode.
     closest_refused: Option<f64>,
     transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
     warnings: Vec<Warning>,
@@ -121,7 +121,7 @@ struct Warning {
 /// The JSON text, indented, with a line feed at its end.
 pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     let result = outcome.result;
-    let printed = result.paper();
+    let solution = result.paper();
     let fit = result.fit();
     let doubts =
         result.doubts.iter().map(|doubt| Warning { code: doubt.code(), text: doubt.to_string() });
@@ -130,7 +130,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         schema: 1,
         method: outcome.method.word(),
         order: result.order().map_or_else(
-            || printed.map_or(0, |printed| printed.modes.len()),
+            || solution.map_or(0, |solution| solution.modes.len()),
             |evidence| evidence.order,
         ),
         order_evidence: result.order().map(order),
@@ -147,8 +147,8 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
             p_value: fit.and_then(|fit| fit.chi_squared.p_value),
         },
         search: fit.map(search),
-        closest_refused: printed.and_then(|printed| printed.shared.closest_refused),
-        transmissibilities: printed.map(printed::transmissibilities),
+        closest_refused: solution.and_then(|solution| solution.shared.closest_refused),
+        transmissibilities: solution.map(paper::transmissibilities),
         warnings: warnings
             .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
             .chain(doubts)
@@ -185,8 +185,8 @@ fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {
         name: found.named.name.to_string(),
         eigenvalue: mode.eigenvalue.into(),
         deviation: estimate.map(|estimate| Number {
-            re: estimate.continuous.real_deviation(),
-            im: estimate.continuous.imaginary_deviation(),
+            re: estimate.continuous.real_standard_error(),
+            im: estimate.continuous.imaginary_standard_error(),
         }),
         eigenvalue_interval_95: found
             .mode
@@ -222,7 +222,7 @@ fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
         .map(|(index, (channel, level))| NoiseOutput {
             channel: &channel.name,
             deviation: level.value,
-            level_deviation: (estimated && likelihood).then_some(level.deviation),
+            level_deviation: (estimated && likelihood).then_some(level.standard_error),
             unit: outcome.unit(index),
         })
         .collect()

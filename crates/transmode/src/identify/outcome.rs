@@ -67,7 +67,7 @@ impl Outcome<'_> {
         units.all(|unit| unit == first).then_some(*first)
     }
 
-    /// Where the noise levels come from, as a word; `None` for the printed method, which knows of no noise.
+    /// Where the noise levels come from, as a word; `None` for the paper's method, which knows of no noise.
     pub(crate) fn noise_origin(&self) -> Option<&'static str> {
         Some(match self.result.intersection()?.noise.origin {
             NoiseOrigin::Given => "given",

@@ -1,7 +1,7 @@
 //! The result as a table for the terminal.
 
 mod evidence;
-mod printed;
+mod paper;
 
 use std::fmt::Write;
 
@@ -36,7 +36,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
         let _ = writeln!(text, "\n{}", table(outcome));
     }
     let summary = match outcome.result.paper() {
-        Some(printed) => printed::summary(printed),
+        Some(solution) => paper::summary(solution),
         None => evidence::summary(outcome),
     };
     let _ = writeln!(text, "\n{summary}");
@@ -66,7 +66,7 @@ fn method(outcome: &Outcome<'_>) -> String {
 /// One line for each mode; columns that the method or the command line does not fill are left out.
 fn table(outcome: &Outcome<'_>) -> Table {
     let estimated = outcome.result.fit().is_some();
-    let printed = outcome.result.paper().is_some();
+    let by_paper = outcome.result.paper().is_some();
     let levels = outcome.flying_qualities.is_some();
     let columns = [
         ("mode", true),
@@ -76,7 +76,7 @@ fn table(outcome: &Outcome<'_>) -> Table {
         ("damping ratio", true),
         ("time constant [s]", true),
         ("time to half or double [s]", true),
-        ("spread in z", printed),
+        ("spread in z", by_paper),
         ("level", levels),
     ];
     let shown = |cells: Vec<String>| -> Vec<String> {
@@ -105,7 +105,7 @@ fn row(outcome: &Outcome<'_>, found: &IdentifiedMode) -> Vec<String> {
     let number = |value: f64| format_significant(value, 5);
     let with = |value: f64, estimate: Option<Estimate>| match estimate {
         Some(estimate) => {
-            format!("{} +- {}", number(value), format_significant(estimate.deviation, 2))
+            format!("{} +- {}", number(value), format_significant(estimate.standard_error, 2))
         }
         None => number(value),
     };
@@ -117,9 +117,9 @@ fn row(outcome: &Outcome<'_>, found: &IdentifiedMode) -> Vec<String> {
         found.named.name.to_string(),
         format_conjugate_pair(mode.eigenvalue.re, mode.eigenvalue.im, 6),
         estimate.map_or_else(dash, |estimate| {
-            let re = format_significant(estimate.continuous.real_deviation(), 2);
+            let re = format_significant(estimate.continuous.real_standard_error(), 2);
             if mode.eigenvalue.im > 0.0 {
-                let im = format_significant(estimate.continuous.imaginary_deviation(), 2);
+                let im = format_significant(estimate.continuous.imaginary_standard_error(), 2);
                 format!("{re}, j{im}")
             } else {
                 re

@@ -5,12 +5,12 @@ use std::path::Path;
 use super::signal::Signal;
 use crate::CommandError;
 use crate::numbers::rounded;
+use crate::records::loading::in_si;
 use crate::records::open::open;
 use crate::records::progress::Progress;
 use crate::records::sampling::Even;
 use crate::records::segments::{SHORTEST, segments};
 use crate::records::selection::{Selection, TimeSource, Wanted, is_time};
-use crate::records::timing::{Times, scale};
 
 /// A method needs at least so many sensors.
 const FEWEST_SENSORS: usize = 3;
@@ -83,13 +83,8 @@ pub(super) fn inspect(
         findings.push(Finding { weight: Weight::Problem, code: "no-time", text });
     }
     let selected = selection.select(file, opened.format(), opened.headings())?;
-    let mut table = opened.read(selected.chosen())?;
-    let factor = selected.time.map(|time| time.factor);
+    let (table, times) = in_si(file, opened, &selected, &selection.time)?;
     let time = selected.time.map(|time| table.headings[time.index].name.clone());
-    let times = Times::take(file, &mut table, factor, &selection.time)?;
-    for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {
-        scale(values, sensor.factor);
-    }
     let rows = 0..times.samples();
     let values: Vec<&[f64]> = table.values.iter().map(Vec::as_slice).collect();
     let sampling = match times.sampling(file, &table, rows.clone()) {

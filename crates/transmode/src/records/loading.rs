@@ -13,9 +13,9 @@ use super::options::{LoadOptions, Window};
 use super::progress::Progress;
 use super::same_units;
 use super::segments::{SHORTEST, segments};
-use super::selection::Selected;
+use super::selection::{Selected, TimeSource};
 use super::source::Source;
-use super::table::Table;
+use super::table::{Opened, Table};
 use super::timing::{Times, scale};
 use super::warning::LoadWarning;
 use crate::CommandError;
@@ -154,16 +154,25 @@ fn recording<'a>(
     let opened = open(file, progress)?;
     let mut selected = options.selection.select(file, opened.format(), opened.headings())?;
     known_inputs::select(file, opened.headings(), options, &mut selected)?;
+    let (table, times) = in_si(file, opened, &selected, &options.selection.time)?;
+    let sensor_count = selected.sensors.len() - options.known_inputs.len();
+    let units = selected.sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
+    Ok(Recording { file, table, times, units })
+}
+
+/// Reads the selected columns of a file: their numbers in SI, and their times.
+pub(crate) fn in_si(
+    file: &Path,
+    opened: Box<dyn Opened>,
+    selected: &Selected,
+    time: &TimeSource,
+) -> Result<(Table, Times), CommandError> {
     let mut table = opened.read(selected.chosen())?;
-    let Selected { time, sensors } = selected;
-    let times =
-        Times::take(file, &mut table, time.map(|time| time.factor), &options.selection.time)?;
-    for (values, sensor) in table.values.iter_mut().zip(&sensors) {
+    let times = Times::take(file, &mut table, selected.time.map(|time| time.factor), time)?;
+    for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {
         scale(values, sensor.factor);
     }
-    let sensor_count = sensors.len() - options.known_inputs.len();
-    let units = sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
-    Ok(Recording { file, table, times, units })
+    Ok((table, times))
 }
 
 impl Recording<'_> {

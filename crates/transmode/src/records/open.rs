@@ -26,26 +26,28 @@ pub(crate) fn open(file: &Path, progress: Progress) -> Result<Box<dyn Opened>, C
     source.by_ref().take(START as u64).read_to_end(&mut start).map_err(fault)?;
     let format = Format::of(&start, file).map_err(|error| in_file(file, &error))?;
     let bar = progress.bytes(file, metadata.len());
-    if matches!(format, Format::Text | Format::GzippedText) {
-        // A pipe cannot go back to its start.
-        let source = Watched { source: Cursor::new(start).chain(source), bar };
-        return if format == Format::Text {
-            boxed(text::open(file, format, source))
-        } else {
-            boxed(text::open(file, format, MultiGzDecoder::new(BufReader::new(source))))
-        };
+    let is_text = matches!(format, Format::Text | Format::GzippedText);
+    if !is_text {
+        if !metadata.is_file() {
+            return Err(in_file(file, &FormatError::NotRegular));
+        }
+        source.seek(SeekFrom::Start(0)).map_err(fault)?;
     }
-    if !metadata.is_file() {
-        return Err(in_file(file, &FormatError::NotRegular));
-    }
-    source.seek(SeekFrom::Start(0)).map_err(fault)?;
+    // A text may be a pipe, which cannot go back to its start.
+    let text = |source, bar| Watched { source: Cursor::new(start).chain(source), bar };
     match format {
+        Format::Text => boxed(text::open(file, format, text(source, bar))),
+        Format::GzippedText => {
+            let source = MultiGzDecoder::new(BufReader::new(text(source, bar)));
+            boxed(text::open(file, format, source))
+        }
         Format::Npy => boxed(npy::open(file, source, metadata.len(), bar)),
         Format::Npz => boxed(npz::open(file, source)),
         Format::Mat => boxed(mat::open(file, BufReader::new(source), metadata.len())),
         #[cfg(feature = "parquet")]
         Format::Parquet => boxed(super::parquet::open(file, source, bar)),
-        _ => Err(in_file(file, &FormatError::NotRegular)),
+        #[cfg(not(feature = "parquet"))]
+        Format::Parquet => Err(in_file(file, &FormatError::NoParquet)),
     }
 }
 

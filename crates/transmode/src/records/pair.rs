@@ -4,11 +4,11 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::format::Format;
+use super::loading::in_si;
 use super::open::open;
 use super::progress::Progress;
 use super::segments::segments;
 use super::selection::{Selection, TWICE, TimeSource};
-use super::timing::{Times, scale};
 use crate::CommandError;
 use crate::error::SelectionError;
 
@@ -44,19 +44,14 @@ pub(crate) fn load(
         }
         other => other,
     })?;
-    let mut table = opened.read(selected.chosen())?;
-    let factor = selected.time.map(|time| time.factor);
-    let times = Times::take(file, &mut table, factor, &selection.time)?;
-    for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {
-        scale(values, sensor.factor);
-    }
+    let (table, times) = in_si(file, opened, &selected, &selection.time)?;
     let rows = 0..times.samples();
     let even = times.sampling(file, &table, rows.clone())?;
     let channels: Vec<&[f64]> = table.values.iter().map(Vec::as_slice).collect();
     let stretches = segments(rows, &even.after_gaps, &channels);
     let mut values = table.values.into_iter();
     let (input, output) = (values.next().unwrap_or_default(), values.next().unwrap_or_default());
-    let period_s = factor.map(|_| even.period_s);
+    let period_s = selected.time.map(|_| even.period_s);
     Ok(Pair { format: table.format, period_s, input, output, stretches })
 }
 

@@ -6,8 +6,8 @@ use nalgebra::DMatrix;
 use reconstruct::Record;
 use reconstruct::likelihood::NoiseSpectrum;
 
+use super::kind::{Excitation, Kind};
 use super::turbulence::Turbulence;
-use super::{Excitation, Kind};
 use crate::TaskError;
 use crate::shared::noisy_flights::STEP;
 use crate::shared::paper_aircraft::{PaperAircraft, SENSORS, SURFACES, noise_levels};

@@ -6,7 +6,8 @@ use reconstruct::{Doubt, Method, NoiseModel, Reconstruction, Record, likelihood}
 use serde::{Deserialize, Serialize};
 
 use super::flights::{SAMPLES, Simulator};
-use super::{Kind, inputs_known};
+use super::inputs_known;
+use super::kind::Kind;
 use crate::TaskError;
 use crate::shared::matching::{eigenvalue_errors, named, reconstruction_errors};
 use crate::shared::methods::{ORDER, apply};

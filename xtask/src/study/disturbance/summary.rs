@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::collections::BTreeMap;
 
-use super::Kind;
+use super::kind::Kind;
 use super::one_run::{Both, Likelihood, Outcome};
 use crate::shared::averages::median;
 use crate::shared::modes::PerMode;

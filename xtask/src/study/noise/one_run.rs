@@ -4,10 +4,10 @@ use reconstruct::likelihood::{Hold, profile_intervals};
 use reconstruct::{Method, NoiseModel, Options, SharedModel, likelihood};
 use serde::{Deserialize, Serialize};
 
-use super::Kind;
+use super::kind::Kind;
 use crate::TaskError;
 use crate::shared::matching::reconstruction_errors;
-use crate::shared::methods::{ORDER, apply, most_likely, printed_errors};
+use crate::shared::methods::{ORDER, apply, most_likely, paper_errors};
 use crate::shared::modes::PerMode;
 use crate::shared::noisy_flights::{Pair, Simulator};
 use crate::study::fit::{self, JudgedFit, search};
@@ -17,7 +17,7 @@ const PART: &str = "study";
 /// What became of one pair of records.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Outcome {
-    /// Errors |s - true s| in 1/s of the printed method; `None` where it gives nothing.
+    /// Errors |s - true s| in 1/s of the paper's method; `None` where it gives nothing.
     pub(super) as_printed: Option<PerMode>,
     /// The same of the intersection of signal subspaces.
     pub(super) subspace: Option<PerMode>,
@@ -50,7 +50,7 @@ pub(super) fn run(simulator: &Simulator, kind: Kind, seed: u64) -> Result<Outcom
         .map(|(fit, modes)| judged(simulator, &pair, &fit, &modes))
         .transpose()?;
     Ok(Outcome {
-        as_printed: printed_errors(&pair.records, &truth),
+        as_printed: paper_errors(&pair.records, &truth),
         subspace: subspace.and_then(|found| reconstruction_errors(&found, &truth)),
         order_found: gap.and_then(|found| found.order().map(|order| order.order)),
         likelihood,

@@ -1,6 +1,6 @@
 //! What the runs of one kind say together.
 
-use super::Kind;
+use super::kind::Kind;
 use super::one_run::Outcome;
 use crate::shared::modes::PerMode;
 use crate::study::statistics::{FitSummary, MethodSummary, mean_deviation};

@@ -18,9 +18,12 @@ fn ratios(fit: &Fit, found: &Bootstrap) -> Vec<f64> {
     let pairs = fit.modes.iter().zip(&found.modes);
     let each = pairs.flat_map(|(mode, repeated)| {
         let (first, again) = (&mode.continuous, &repeated.continuous);
-        let imaginary = again.imaginary_deviation() / first.imaginary_deviation();
+        let imaginary = again.imaginary_standard_error() / first.imaginary_standard_error();
         let complex = mode.continuous.value.im > 0.0;
-        [Some(again.real_deviation() / first.real_deviation()), complex.then_some(imaginary)]
+        [
+            Some(again.real_standard_error() / first.real_standard_error()),
+            complex.then_some(imaginary),
+        ]
     });
     each.flatten().collect()
 }
@@ -67,7 +70,7 @@ fn coloured_noise_is_repeated_in_its_colour() {
         let fit = identify(&records, std::slice::from_ref(&model), options).unwrap();
         let mut normal = Normal::new(6);
         let found = bootstrap(&records, &fit, options, 20, &mut || normal.next()).unwrap();
-        found.modes.iter().map(|mode| mode.continuous.real_deviation()).collect::<Vec<_>>()
+        found.modes.iter().map(|mode| mode.continuous.real_standard_error()).collect::<Vec<_>>()
     };
     for (x, y) in spread(&coloured).iter().zip(spread(&given(&levels))) {
         assert!((x / y - 1.0).abs() < 0.1, "{x} {y}");

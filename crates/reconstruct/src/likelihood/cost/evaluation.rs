@@ -1,15 +1,17 @@
 //! Cost, gradient and Gram matrix of all records at one system, with what each record's known signals explain taken out.
 
 use nalgebra::{DMatrix, DVector};
+use realfft::RealFftPlanner;
 
 use super::accumulate::{Scalars, accumulate};
-use super::feedback::feedback;
 use super::first_order_hold::FirstOrder;
+use super::noise::floors;
 use super::parameters::{Layout, System};
 use super::record_system::RecordSystem;
-use super::spectrum::{Entry, RecordSpectrum};
+use super::spectrum::{Entry, RecordSpectrum, transform};
 use super::sums::Sums;
-use crate::likelihood::options::Hold;
+use crate::likelihood::options::{Hold, Options};
+use crate::{ReconstructError, Record};
 
 /// The records as the fit sees them.
 #[derive(Debug)]
@@ -62,14 +64,27 @@ pub(crate) struct Evaluation {
 }
 
 impl Problem {
-    /// Variances to start from: 1 for each sensor, which its unit is made for, and a model error of one per cent.
-    pub(crate) fn first_variances(&self) -> Vec<f64> {
-        const MODEL_ERROR: f64 = 0.01;
-        let mut variances = vec![1.0; self.layout.sensors];
-        if self.floors.len() > variances.len() {
-            variances.push(MODEL_ERROR * MODEL_ERROR);
-        }
-        variances
+    /// The records in the frequency domain, each sensor in its unit.
+    pub(crate) fn new(
+        layout: Layout,
+        records: &[Record],
+        units: &[f64],
+        options: &Options,
+    ) -> Result<Self, ReconstructError> {
+        let mut planner = RealFftPlanner::new();
+        let spectra = records
+            .iter()
+            .enumerate()
+            .map(|(index, record)| transform(record, index, units, options, &mut planner))
+            .collect::<Result<_, _>>()?;
+        let floors = floors(records, units, options);
+        Ok(Self { layout, spectra, threads: options.threads, floors })
+    }
+
+    /// The same without some of the data.
+    pub(crate) fn with_spectra(&self, spectra: Vec<RecordSpectrum>) -> Self {
+        let (layout, floors) = (self.layout.clone(), self.floors.clone());
+        Self { layout, spectra, threads: self.threads, floors }
     }
 
     /// Coefficients that explain nothing.
@@ -91,17 +106,7 @@ impl Problem {
         scalars: Scalars,
         keep_spectrum: bool,
     ) -> Sums {
-        let (b, d) = (&system.b[record], &system.d[record]);
-        let gain = feedback(&system.a, b);
-        let record_system = RecordSystem {
-            a: &system.a + b * gain.transpose(),
-            c: &system.c + d * gain.transpose(),
-            b: b.clone(),
-            d: d.clone(),
-            gain,
-            coefficients: coefficients[record].clone(),
-            variances: variances.to_vec(),
-        };
+        let record_system = RecordSystem::new(system, record, &coefficients[record], variances);
         accumulate(&self.spectra[record], &record_system, scalars, keep_spectrum, self.threads)
     }
 

@@ -44,14 +44,14 @@ impl Layout {
         self.shared() + self.records * self.per_record()
     }
 
-    /// Directions that leave the likelihood as it is: the basis of the states and the scale of each excitation.
-    pub(crate) fn free_directions(&self) -> usize {
+    /// How many changes leave the likelihood as it is: the basis of the states and the scale of each excitation.
+    pub(crate) fn invariants(&self) -> usize {
         self.order * self.order + self.records
     }
 
     /// n J + m n - J, and one more per free entry of d_j.
     pub(crate) fn identifiable(&self) -> usize {
-        self.parameters() - self.free_directions()
+        self.parameters() - self.invariants()
     }
 
     /// Index in the vector of parameters of local parameter `local` of record `record`: A and C first, then its own b and d.
@@ -169,9 +169,9 @@ impl System {
 
     /// The tangents of changes that leave the likelihood as it is, one a column: X A - A X, -C X, X b_j for each unit matrix X, and (b_j, d_j)
     /// for each record.
-    pub(crate) fn free_directions(&self, layout: &Layout) -> DMatrix<f64> {
+    pub(crate) fn invariant_tangents(&self, layout: &Layout) -> DMatrix<f64> {
         let (n, m) = (layout.order, layout.sensors);
-        let mut tangents = DMatrix::zeros(layout.parameters(), layout.free_directions());
+        let mut tangents = DMatrix::zeros(layout.parameters(), layout.invariants());
         for p in 0..n {
             for q in 0..n {
                 // X has a one in row p, column q.

@@ -2,6 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::feedback::feedback;
+use super::parameters::System;
+
 /// What one record sees of the system: A and C with a feedback (see `feedback.rs`).
 #[derive(Debug)]
 pub(crate) struct RecordSystem {
@@ -15,4 +18,25 @@ pub(crate) struct RecordSystem {
     pub(crate) coefficients: Vec<Vec<f64>>,
     /// Noise variances of the sensors; not used where the spectrum has its own covariances.
     pub(crate) variances: Vec<f64>,
+}
+
+impl RecordSystem {
+    pub(crate) fn new(
+        system: &System,
+        record: usize,
+        coefficients: &[Vec<f64>],
+        variances: &[f64],
+    ) -> Self {
+        let (b, d) = (&system.b[record], &system.d[record]);
+        let gain = feedback(&system.a, b);
+        Self {
+            a: &system.a + b * gain.transpose(),
+            c: &system.c + d * gain.transpose(),
+            b: b.clone(),
+            d: d.clone(),
+            gain,
+            coefficients: coefficients.to_vec(),
+            variances: variances.to_vec(),
+        }
+    }
 }

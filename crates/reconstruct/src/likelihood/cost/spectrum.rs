@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::likelihood::cost::noise::smoothed_power;
 use crate::likelihood::options::{FrequencyBand, Noise, Options};
 use crate::model::noise_spectrum::inverse_of_hermitian;
 use crate::model::record::rms;
@@ -87,63 +88,6 @@ impl RecordSpectrum {
     }
 }
 
-/// Where nothing is known, the noise starts at this part of a sensor's root mean square over all records.
-const FIRST_GUESS: f64 = 0.01;
-
-/// What each sensor is divided by: its noise level as far as it is known.
-pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
-    let sensors = records.first().map_or(0, |record| record.channels().len());
-    match &options.noise {
-        Noise::Given(levels)
-        | Noise::Estimated { first_guess: Some(levels) }
-        | Noise::ModelError { first_guess: Some(levels) } => levels.clone(),
-        Noise::Estimated { first_guess: None } | Noise::ModelError { first_guess: None } => (0
-            ..sensors)
-            .map(|sensor| {
-                let squares: f64 = records
-                    .iter()
-                    .map(|record| rms(&record.channels()[sensor].values).powi(2))
-                    .sum();
-                FIRST_GUESS * (squares / records.len() as f64).sqrt()
-            })
-            .collect(),
-        Noise::Spectra(spectra) => (0..sensors)
-            .map(|sensor| {
-                let all = spectra.iter().flat_map(|spectrum| spectrum.covariances());
-                let (sum, number) = all.fold((0.0, 0.0), |(sum, number), covariance| {
-                    (sum + covariance[(sensor, sensor)].re, number + 1.0)
-                });
-                (sum / number).sqrt()
-            })
-            .collect(),
-    }
-}
-
-/// What no variance of the noise falls below, in the units of the sensors. White noise stops at rounding errors; with a model error each level stops at
-/// a thousandth of its sensor's root mean square, and the model error itself at a thousandth.
-pub(crate) fn floors(records: &[Record], units: &[f64], options: &Options) -> Vec<f64> {
-    const ROUNDING: f64 = 1e-24;
-    const LEAST_LEVEL: f64 = 1e-3;
-    const LEAST_MODEL_ERROR: f64 = 1e-3;
-    if !matches!(options.noise, Noise::ModelError { .. }) {
-        return vec![ROUNDING; units.len()];
-    }
-    let level = |(sensor, unit): (usize, &f64)| {
-        let squares = records.iter().map(|record| centred_rms(record, sensor).powi(2)).sum::<f64>();
-        (LEAST_LEVEL / unit).powi(2) * squares / records.len() as f64
-    };
-    let mut floors: Vec<f64> = units.iter().enumerate().map(level).collect();
-    floors.push(LEAST_MODEL_ERROR * LEAST_MODEL_ERROR);
-    floors
-}
-
-fn centred_rms(record: &Record, sensor: usize) -> f64 {
-    let values = &record.channels()[sensor].values;
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let rest: Vec<f64> = values.iter().map(|value| value - mean).collect();
-    rms(&rest)
-}
-
 /// The transform of one record at the frequencies that the options leave.
 pub(crate) fn transform(
     record: &Record,
@@ -224,22 +168,6 @@ pub(crate) fn transform(
         offset_variance,
         starts_at_zero,
     })
-}
-
-/// The periodogram of one sensor, smoothed by a triangle over five frequencies: two to each side. An offset counts for nothing where it is not part of
-/// the motion.
-fn smoothed_power(transform: &[Complex<f64>], offset: bool) -> Vec<f64> {
-    const TRIANGLE: [(isize, f64); 5] =
-        [(-2, 1.0 / 9.0), (-1, 2.0 / 9.0), (0, 3.0 / 9.0), (1, 2.0 / 9.0), (2, 1.0 / 9.0)];
-    let last = transform.len() as isize - 1;
-    let at = |k: isize| {
-        // Reflected at both ends, where the spectrum of a real signal goes on as its mirror image.
-        let k = if k < 0 { -k } else { k };
-        let k = if k > last { (2 * last - k).max(0) } else { k };
-        let k = if k == 0 && offset { 1.min(last) } else { k };
-        transform[k.unsigned_abs()].norm_sqr()
-    };
-    (0..=last).map(|k| TRIANGLE.iter().map(|(lag, weight)| weight * at(k + lag)).sum()).collect()
 }
 
 fn kept_frequencies(record: &Record, options: &Options) -> Vec<usize> {

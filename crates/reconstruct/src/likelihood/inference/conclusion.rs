@@ -26,9 +26,10 @@ pub(crate) fn conclude(
     options: &Options,
 ) -> Result<Fit, ReconstructError> {
     let layout = &problem.layout;
-    let estimated = matches!(options.noise, Noise::Estimated { .. } | Noise::ModelError { .. });
+    let estimated = options.noise.is_estimated();
     let Found { optimum, best_start, reports, rivals, restarts } = found;
-    let LocalOptimum { mut evaluation, mut variances, search, objective } = optimum;
+    let LocalOptimum { mut evaluation, mut variances, search, objective, direction_replaced: _ } =
+        optimum;
     let parameters = (layout.identifiable() + evaluation.nuisance_rank) as f64;
     let criterion = objective + PRICE * parameters;
     let degrees_of_freedom = (residuals - parameters).max(1.0);

@@ -60,7 +60,7 @@ pub struct FittedTransmissibility {
 /// let first = &all[0];
 /// assert_eq!((first.record, first.from, first.to), (0, 0, 1));
 /// let response = first.response[0];
-/// assert!((response.value.re - 2.0 / 3.0).abs() < 4.0 * response.real_deviation());
+/// assert!((response.value.re - 2.0 / 3.0).abs() < 4.0 * response.real_standard_error());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fitted_transmissibilities(

@@ -36,12 +36,7 @@ pub(crate) fn offset_test(
         return None;
     }
     let spectra = problem.spectra.iter().map(RecordSpectrum::without_zero).collect();
-    let without = Problem {
-        layout: problem.layout.clone(),
-        spectra,
-        threads: problem.threads,
-        floors: problem.floors.clone(),
-    };
+    let without = problem.with_spectra(spectra);
     let limits = Limits {
         steps: STEPS,
         step_tolerance: STEP_TOLERANCE,

@@ -9,7 +9,6 @@
 
 use nalgebra::DMatrix;
 use num_complex::Complex;
-use realfft::RealFftPlanner;
 
 use super::fit::Fit;
 use super::refit::{Refit, refit};
@@ -34,8 +33,8 @@ const TRIALS: usize = 25;
 const NEAR_ENOUGH: f64 = 20.0;
 /// Beyond so many deviations there is no end.
 const ENDLESS: f64 = 50.0;
-/// A mode is held within its deviation over this.
-const HOLD: f64 = 100.0;
+/// A mode is pinned within its standard error over this.
+const PIN: f64 = 100.0;
 
 /// The 95 % interval of each real mode's eigenvalue s in rad/s, in the order of [`Fit::modes`], from the likelihood; `None` for complex
 /// pairs, for modes without a finite deviation, and for z below zero.
@@ -59,13 +58,13 @@ const HOLD: f64 = 100.0;
 /// ```
 #[doc = include_str!("../../doctest/two_decays.md")]
 /// use reconstruct::likelihood::{Options, identify, profile_intervals};
-/// use reconstruct::subspace;
+/// use reconstruct::{Offsets, subspace};
 ///
 /// // The first mode is slow beside 60 samples.
 /// let records = two_decays(0.99, 60, 0.1)?;
 /// let mut first = subspace::Options::default();
 /// first.order = subspace::OrderChoice::Fixed(2);
-/// first.centring = subspace::Centring::None;
+/// first.measurement.offsets = Offsets::Zero;
 /// let start = subspace::identify(&records, &first)?.model;
 /// let options = Options::default();
 /// let fit = identify(&records, &[start], &options)?;
@@ -79,8 +78,7 @@ pub fn profile_intervals(
     fit: &Fit,
     options: &Options,
 ) -> Result<Vec<Option<[f64; 2]>>, ReconstructError> {
-    let Refit { problem, evaluation, variances, units: _ } =
-        refit(records, fit, options, &mut RealFftPlanner::new())?;
+    let Refit { problem, evaluation, variances, units: _ } = refit(records, fit, options)?;
     let profile = Profile {
         problem: &problem,
         optimum: evaluation,
@@ -100,7 +98,7 @@ struct Profile<'a> {
 }
 
 /// A fit around a mode that is held.
-struct HeldMode {
+struct PinnedMode {
     /// Where it is.
     z: f64,
     /// What minus twice the logarithm of the likelihood lies above the optimum's.
@@ -110,14 +108,14 @@ struct HeldMode {
 
 impl Profile<'_> {
     fn interval(&self, mode: &Mode) -> Option<[f64; 2]> {
-        let (s, deviation) = (mode.continuous.value, mode.continuous.real_deviation());
+        let (s, deviation) = (mode.continuous.value, mode.continuous.real_standard_error());
         let real = mode.discrete.value.im == 0.0 && mode.discrete.value.re > 0.0;
         if !(real && deviation > 0.0 && deviation.is_finite()) {
             return None;
         }
-        let at = |off: f64, near: &HeldMode| self.held(s.re + off * deviation, deviation, near);
+        let at = |off: f64, near: &PinnedMode| self.pinned(s.re + off * deviation, deviation, near);
         let optimum =
-            HeldMode { z: mode.discrete.value.re, fall: 0.0, evaluation: self.optimum.clone() };
+            PinnedMode { z: mode.discrete.value.re, fall: 0.0, evaluation: self.optimum.clone() };
         let (below, above) = (at(-CLOSE, &optimum)?, at(CLOSE, &optimum)?);
         // What a parabola with this deviation would fall by is off^2. The likelihood's own is narrower if anything.
         let scale = 0.5 * (below.fall + above.fall) / (CLOSE * CLOSE);
@@ -125,7 +123,7 @@ impl Profile<'_> {
             return None;
         }
         let scale = scale.max(1.0);
-        let root = |held: &HeldMode| (held.fall / scale).max(0.0).sqrt();
+        let root = |pinned: &PinnedMode| (pinned.fall / scale).max(0.0).sqrt();
         let low = distance(below, root, |off, near| at(-off, near));
         let high = distance(above, root, |off, near| at(off, near));
         Some([s.re - low * deviation, s.re + high * deviation])
@@ -133,12 +131,12 @@ impl Profile<'_> {
 
     /// The fit with the eigenvalue held at s, from one nearby. `None` where it cannot be held there: because another eigenvalue is closer to that place, or
     /// because the search did not bring it there.
-    fn held(&self, s: f64, deviation: f64, near: &HeldMode) -> Option<HeldMode> {
+    fn pinned(&self, s: f64, deviation: f64, near: &PinnedMode) -> Option<PinnedMode> {
         const STEPS: usize = 50;
         // What is left to fall is its square.
         const STEP_TOLERANCE: f64 = 0.1;
         let eigenvalue = (s * self.period).exp();
-        let width = deviation * self.period * eigenvalue / HOLD;
+        let width = deviation * self.period * eigenvalue / PIN;
         if closest(&near.evaluation.system.a, eigenvalue)?
             != closest(&near.evaluation.system.a, near.z)?
         {
@@ -158,7 +156,7 @@ impl Profile<'_> {
         let fall = evaluation.cost - self.optimum.cost;
         let reached = closest(&evaluation.system.a, eigenvalue)?;
         let is_there = (reached - eigenvalue).norm() < NEAR_ENOUGH * width;
-        (is_there && fall.is_finite()).then_some(HeldMode { z: reached.re, fall, evaluation })
+        (is_there && fall.is_finite()).then_some(PinnedMode { z: reached.re, fall, evaluation })
     }
 }
 

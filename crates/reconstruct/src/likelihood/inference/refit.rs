@@ -1,11 +1,9 @@
 //! The problem of a fit that is finished, for what is asked of it afterwards.
 
-use realfft::RealFftPlanner;
-
 use super::fit::Fit;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
+use crate::likelihood::cost::noise::sensor_units;
 use crate::likelihood::cost::parameters::System;
-use crate::likelihood::cost::spectrum::{floors, sensor_units, transform};
 use crate::likelihood::options::{Noise, Options};
 use crate::likelihood::validation;
 use crate::{ReconstructError, Record};
@@ -25,18 +23,11 @@ pub(crate) fn refit(
     records: &[Record],
     fit: &Fit,
     options: &Options,
-    planner: &mut RealFftPlanner<f64>,
 ) -> Result<Refit, ReconstructError> {
     let known = with_known_noise(fit, options);
     let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
     let units = sensor_units(records, &known);
-    let floors = floors(records, &units, &known);
-    let spectra = records
-        .iter()
-        .enumerate()
-        .map(|(index, record)| transform(record, index, &units, &known, planner))
-        .collect::<Result<Vec<_>, _>>()?;
-    let problem = Problem { layout, spectra, threads: options.threads, floors };
+    let problem = Problem::new(layout, records, &units, &known)?;
     let system = System::scaled(&fit.model, &units, &problem.layout);
     let mut variances = vec![1.0; units.len()];
     variances.extend(fit.model_error.map(|error| error.value * error.value));

@@ -30,7 +30,7 @@ pub(crate) fn covariance(
 ) -> ParameterCovariance {
     let gram = &evaluation.gram;
     let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
-    let tangents = evaluation.system.free_directions(layout);
+    let tangents = evaluation.system.invariant_tangents(layout);
     let basis = complement(&scaled_rows(&tangents, &scale.map(|entry| 1.0 / entry)));
     let reduced = |matrix: &DMatrix<f64>| {
         let unit = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, k| {
@@ -87,14 +87,14 @@ fn pseudo_inverse(matrix: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
     (inverse, rank)
 }
 
-/// A number with its standard deviation.
+/// A number with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Estimate {
     /// The number.
     pub value: f64,
-    /// Its standard deviation, to first order.
-    pub deviation: f64,
+    /// Its standard error, to first order.
+    pub standard_error: f64,
 }
 
 /// The normal distribution holds 95 % within this many deviations.
@@ -106,7 +106,7 @@ impl Estimate {
     /// Lower and upper end of the 95 % interval.
     #[must_use]
     pub fn interval_95(&self) -> [f64; 2] {
-        [self.value - NORMAL_95 * self.deviation, self.value + NORMAL_95 * self.deviation]
+        [self.value - NORMAL_95 * self.standard_error, self.value + NORMAL_95 * self.standard_error]
     }
 }
 
@@ -135,13 +135,13 @@ pub struct Ellipse {
 impl ComplexEstimate {
     /// The standard deviation of the real part.
     #[must_use]
-    pub fn real_deviation(&self) -> f64 {
+    pub fn real_standard_error(&self) -> f64 {
         self.covariance[(0, 0)].max(0.0).sqrt()
     }
 
     /// The standard deviation of the imaginary part.
     #[must_use]
-    pub fn imaginary_deviation(&self) -> f64 {
+    pub fn imaginary_standard_error(&self) -> f64 {
         self.covariance[(1, 1)].max(0.0).sqrt()
     }
 
@@ -248,7 +248,7 @@ fn estimate(mode: lti::Mode, n: usize, period: SamplePeriod, covariance: &DMatri
     } else {
         (Vector2::new(1.0, 0.0), Vector2::zeros())
     };
-    let real = Estimate { value: s.re, deviation: along(Vector2::new(1.0, 0.0)) };
+    let real = Estimate { value: s.re, standard_error: along(Vector2::new(1.0, 0.0)) };
     let [low, high] = real.interval_95();
     let interval = (finite && low * high > 0.0)
         .then(|| [-1.0 / low, -1.0 / high])
@@ -256,10 +256,13 @@ fn estimate(mode: lti::Mode, n: usize, period: SamplePeriod, covariance: &DMatri
     Mode {
         natural_frequency_rad_s: Estimate {
             value: mode.natural_frequency_rad_s,
-            deviation: along(frequency),
+            standard_error: along(frequency),
         },
-        damping_ratio: Estimate { value: mode.damping_ratio, deviation: along(damping) },
-        time_constant_s: Estimate { value: -1.0 / s.re, deviation: real.deviation / (s.re * s.re) },
+        damping_ratio: Estimate { value: mode.damping_ratio, standard_error: along(damping) },
+        time_constant_s: Estimate {
+            value: -1.0 / s.re,
+            standard_error: real.standard_error / (s.re * s.re),
+        },
         time_constant_interval_95: interval,
         discrete,
         continuous,
@@ -275,11 +278,11 @@ pub(crate) fn model_error(
 ) -> Option<Estimate> {
     let &square = variances.get(sensors)?;
     let value = square.sqrt();
-    let deviation = match evaluation.information.clone().try_inverse() {
+    let standard_error = match evaluation.information.clone().try_inverse() {
         Some(covariance) => 0.5 * (2.0 * covariance[(sensors, sensors)].max(0.0)).sqrt() / value,
         None => f64::INFINITY,
     };
-    Some(Estimate { value, deviation })
+    Some(Estimate { value, standard_error })
 }
 
 /// Standard deviations in the sensors' units, with their own standard deviations where they were estimated.
@@ -297,7 +300,7 @@ pub(crate) fn noise_levels(
         .map(|(sensor, (&variance, unit))| {
             let value = variance.sqrt() * unit;
             // The information about a variance is half the expected curvature of the objective above.
-            let deviation = match &covariance {
+            let standard_error = match &covariance {
                 Some(covariance) => {
                     let spread = (2.0 * covariance[(sensor, sensor)].max(0.0)).sqrt();
                     0.5 * value * spread / variance
@@ -305,7 +308,7 @@ pub(crate) fn noise_levels(
                 None if estimated => f64::INFINITY,
                 None => 0.0,
             };
-            Estimate { value, deviation }
+            Estimate { value, standard_error }
         })
         .collect()
 }

@@ -22,12 +22,7 @@ pub(crate) fn frequency_subset(problem: &Problem) -> Option<FrequencySubset> {
             thin
         })
         .collect();
-    let problem = Problem {
-        layout: problem.layout.clone(),
-        spectra,
-        threads: problem.threads,
-        floors: problem.floors.clone(),
-    };
+    let problem = problem.with_spectra(spectra);
     (2 * after <= before).then_some(FrequencySubset { problem, largest_weight })
 }
 

@@ -26,40 +26,41 @@ pub(crate) fn search_over_holds(
     residuals: f64,
     options: &Options,
 ) -> Option<(Found, Option<f64>)> {
-    let held = search(problem, starts, units, residuals, options)?;
+    let zero_order = search(problem, starts, units, residuals, options)?;
     if options.hold.is_some() || options.search.max_steps == 0 {
-        return Some((held, None));
+        return Some((zero_order, None));
     }
     problem.layout.hold = Hold::FirstOrder;
-    let before = priced(&held.optimum);
+    let before = priced(&zero_order.optimum);
     // A few steps tell whether it leads lower.
     let few = Options { search: options.search.of_a_restart(), ..options.clone() };
-    let straight = continue_from(problem, &held.optimum, residuals, &few, Some(before + CERTAIN));
-    let gain = before - priced(&straight);
+    let first_order =
+        continue_from(problem, &zero_order.optimum, residuals, &few, Some(before + CERTAIN));
+    let gain = before - priced(&first_order);
     if gain.is_nan() || gain <= 0.0 {
         problem.layout.hold = Hold::ZeroOrder;
-        let evidence = match straight.search.status {
+        let evidence = match first_order.search.status {
             SearchStatus::GivenUp => Some(CERTAIN),
             SearchStatus::Converged | SearchStatus::AtRoundingLevel => {
                 (!gain.is_nan()).then(|| CERTAIN.min(-gain))
             }
             _ => None,
         };
-        return Some((held, evidence));
+        return Some((zero_order, evidence));
     }
     if gain <= DECISIVE {
-        let optimum = continue_from(problem, &straight, residuals, options, None);
+        let optimum = continue_from(problem, &first_order, residuals, options, None);
         let gain = before - priced(&optimum);
         let lower = |(above, system)| (above + gain, system);
-        let rivals = held.rivals.into_iter().map(lower).filter(|(above, _)| *above < RIVAL);
-        return Some((Found { optimum, rivals: rivals.collect(), ..held }, Some(gain)));
+        let rivals = zero_order.rivals.into_iter().map(lower).filter(|(above, _)| *above < RIVAL);
+        return Some((Found { optimum, rivals: rivals.collect(), ..zero_order }, Some(gain)));
     }
-    let own = straight.evaluation.system.model(units, &problem.layout, starts[0].period);
+    let own = first_order.evaluation.system.model(units, &problem.layout, starts[0].period);
     let all: Vec<SharedModel> = starts.iter().cloned().chain([own]).collect();
     let mut found = search(problem, &all, units, residuals, options)?;
     found.reports.truncate(starts.len());
     if found.best_start == starts.len() {
-        found.best_start = held.best_start;
+        found.best_start = zero_order.best_start;
     }
     let evidence = before - priced(&found.optimum);
     Some((found, Some(evidence)))
@@ -79,8 +80,7 @@ fn continue_from(
     ceiling: Option<f64>,
 ) -> LocalOptimum {
     let start = problem.evaluate(from.evaluation.system.clone(), &from.variances);
-    let mut replaced = vec![false; problem.layout.records];
-    optimise(problem, start, from.variances.clone(), residuals, options, ceiling, &mut replaced)
+    optimise(problem, start, from.variances.clone(), residuals, options, ceiling)
 }
 
 #[cfg(test)]

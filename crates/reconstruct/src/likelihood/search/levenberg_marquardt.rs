@@ -210,7 +210,7 @@ impl Scaled {
         let gram = &evaluation.gram;
         let inverse_scale =
             gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
-        let mut tangents = evaluation.system.free_directions(layout);
+        let mut tangents = evaluation.system.invariant_tangents(layout);
         for (mut row, inverse) in tangents.row_iter_mut().zip(inverse_scale.iter()) {
             row /= *inverse;
         }

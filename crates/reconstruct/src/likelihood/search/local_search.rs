@@ -1,6 +1,7 @@
 //! From one start to its local optimum: basis, input directions, noise levels, search.
 
 use nalgebra::DMatrix;
+use num_complex::Complex;
 
 use super::eigenvalue_penalty::EigenvaluePenalty;
 use super::input_direction::input_direction;
@@ -9,6 +10,7 @@ use super::noise_levels;
 use super::report::{SearchReport, StartReport};
 use crate::SharedModel;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
+use crate::likelihood::cost::noise::first_variances;
 use crate::likelihood::cost::parameters::System;
 use crate::likelihood::cost::spectrum::RecordSpectrum;
 use crate::likelihood::options::{InputDirections, Noise, Options};
@@ -19,6 +21,8 @@ pub(crate) struct LocalOptimum {
     pub(crate) variances: Vec<f64>,
     pub(crate) objective: f64,
     pub(crate) search: SearchReport,
+    /// For each record, whether its direction was estimated anew from the spectra on the way.
+    pub(crate) direction_replaced: Vec<bool>,
 }
 
 /// From one start to its local optimum.
@@ -29,7 +33,7 @@ pub(crate) fn optimise_from_start(
     residuals: f64,
     options: &Options,
 ) -> (StartReport, Option<LocalOptimum>) {
-    let mut variances = problem.first_variances();
+    let mut variances = first_variances(&problem.floors, problem.layout.sensors);
     let system = System::scaled(start, units, &problem.layout).normalised();
     let mut evaluation = problem.evaluate(system, &variances);
     evaluation = in_own_basis(problem, evaluation, &variances);
@@ -58,15 +62,10 @@ pub(crate) fn optimise_from_start(
                 better_directions(problem, evaluation, &variances, &mut report.direction_replaced);
         }
     }
-    let optimum = optimise(
-        problem,
-        evaluation,
-        variances,
-        residuals,
-        options,
-        None,
-        &mut report.direction_replaced,
-    );
+    let optimum = optimise(problem, evaluation, variances, residuals, options, None);
+    for (all, later) in report.direction_replaced.iter_mut().zip(&optimum.direction_replaced) {
+        *all |= later;
+    }
     report.objective = optimum.objective;
     report.search = Some(optimum.search.clone());
     let optimum = optimum.objective.is_finite().then_some(optimum);
@@ -81,33 +80,18 @@ pub(crate) fn optimise(
     residuals: f64,
     options: &Options,
     ceiling: Option<f64>,
-    replaced: &mut [bool],
 ) -> LocalOptimum {
-    let estimate_levels =
-        matches!(options.noise, Noise::Estimated { .. } | Noise::ModelError { .. });
+    let estimate_levels = options.noise.is_estimated();
+    let mut direction_replaced = vec![false; problem.layout.records];
     let mut update = |evaluation: Evaluation, variances: &[f64]| {
         if options.search.directions == InputDirections::AsStarted {
             return evaluation;
         }
-        better_directions(problem, evaluation, variances, replaced)
+        better_directions(problem, evaluation, variances, &mut direction_replaced)
     };
     // Known levels leave it as it is.
     let determinant = |evaluation: &Evaluation| {
         if estimate_levels { evaluation.log_determinant } else { 0.0 }
-    };
-    let energy = |variances: &[f64]| -> f64 {
-        let part = |spectrum: &RecordSpectrum| -> f64 {
-            spectrum
-                .y
-                .chunks_exact(problem.layout.sensors)
-                .zip(&spectrum.weight)
-                .map(|(y, weight)| {
-                    let sum: f64 = y.iter().zip(variances).map(|(y, v)| y.norm_sqr() / v).sum();
-                    weight * sum
-                })
-                .sum()
-        };
-        problem.spectra.iter().map(part).sum()
     };
     let mut search = SearchReport {
         status: SearchStatus::StepLimit,
@@ -123,7 +107,7 @@ pub(crate) fn optimise(
             steps: options.search.max_steps,
             step_tolerance: options.search.step_tolerance,
             degrees_of_freedom: (residuals - parameters).max(1.0),
-            energy: energy(&variances),
+            energy: energy(problem, &variances),
             ceiling: ceiling.map_or(f64::INFINITY, |ceiling| ceiling - determinant(&evaluation)),
             penalty: None,
         };
@@ -149,10 +133,24 @@ pub(crate) fn optimise(
         search.evaluations += 1;
     }
     let objective = evaluation.cost + determinant(&evaluation);
-    LocalOptimum { evaluation, variances, objective, search }
+    LocalOptimum { evaluation, variances, objective, search, direction_replaced }
 }
 
-/// A few steps around an eigenvalue that is held; `None` where they stay above a ceiling of the cost.
+/// The cost of explaining nothing.
+fn energy(problem: &Problem, variances: &[f64]) -> f64 {
+    let sensors = problem.layout.sensors;
+    let part = |spectrum: &RecordSpectrum| -> f64 {
+        let at = |(k, (y, weight)): (usize, (&[Complex<f64>], &f64))| {
+            let part =
+                |(s, y): (usize, &Complex<f64>)| y.norm_sqr() / spectrum.variance(k, s, variances);
+            weight * y.iter().enumerate().map(part).sum::<f64>()
+        };
+        spectrum.y.chunks_exact(sensors).zip(&spectrum.weight).enumerate().map(at).sum()
+    };
+    problem.spectra.iter().map(part).sum()
+}
+
+/// A few steps around an eigenvalue that a penalty keeps in its place; `None` where they stay above a ceiling of the cost.
 pub(crate) fn optimise_with_penalty(
     problem: &Problem,
     start: Evaluation,

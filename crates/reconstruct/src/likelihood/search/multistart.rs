@@ -139,17 +139,8 @@ fn restart_from_slow_modes(
                 continue;
             };
             let ceiling = Some(objective + finalist);
-            let mut replaced = vec![false; problem.layout.records];
             let variances = variances.clone();
-            let optimum = optimise(
-                problem,
-                evaluation,
-                variances,
-                residuals,
-                options,
-                ceiling,
-                &mut replaced,
-            );
+            let optimum = optimise(problem, evaluation, variances, residuals, options, ceiling);
             if optimum.objective.is_finite() {
                 optima.add(Candidate { optimum, start });
             }
@@ -175,11 +166,9 @@ fn on_all_frequencies(
     for candidate in finalists.take_while(|candidate| candidate.optimum.objective < best + finalist)
     {
         let ceiling = finals.0.first().map(|best| best.optimum.objective + RIVAL);
-        let mut replaced = vec![false; problem.layout.records];
         let LocalOptimum { evaluation, variances, .. } = candidate.optimum;
         let evaluation = problem.evaluate_again(evaluation, &variances);
-        let optimum =
-            optimise(problem, evaluation, variances, residuals, options, ceiling, &mut replaced);
+        let optimum = optimise(problem, evaluation, variances, residuals, options, ceiling);
         if optimum.objective.is_finite() {
             finals.add(Candidate { optimum, start: candidate.start });
         }

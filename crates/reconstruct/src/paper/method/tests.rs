@@ -1,21 +1,8 @@
 use super::*;
 use crate::Channel;
 
-/// A record of the paper's aircraft from tests/data/records: sideslip, roll rate, yaw rate.
-fn record(name: &str) -> Record {
-    let file = format!("{}/../../tests/data/records/{name}.csv", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(file).unwrap();
-    let mut lines = text.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let rows: Vec<Vec<f64>> =
-        lines.map(|line| line.split(',').map(|field| field.parse().unwrap()).collect()).collect();
-    let channel =
-        |column: usize| Channel::new(names[column], rows.iter().map(|row| row[column]).collect());
-    Record::new(name, SamplePeriod::new(0.1).unwrap(), (1..4).map(channel).collect()).unwrap()
-}
-
 fn pair() -> [Record; 2] {
-    [record("noise_free_aileron"), record("noise_free_rudder")]
+    crate::shipped::pair("noise_free")
 }
 
 /// The same record with each channel changed.

@@ -14,26 +14,6 @@ pub(super) const TRUTH: [(f64, f64); 3] = [
     (-0.001_563_638_219_256_003_3, 0.0),
 ];
 
-pub(super) fn read(name: &str) -> String {
-    let file = format!("{}/../../tests/data/records/{name}", env!("CARGO_MANIFEST_DIR"));
-    std::fs::read_to_string(file).unwrap()
-}
-
-/// A pair of records from tests/data/records.
-pub(super) fn pair(name: &str) -> Vec<Record> {
-    ["aileron", "rudder"].map(|surface| record(&format!("{name}_{surface}"))).to_vec()
-}
-
-fn record(name: &str) -> Record {
-    let mut channels = ["beta", "p", "r"].map(|sensor| Channel::new(sensor, Vec::new()));
-    for line in read(&format!("{name}.csv")).lines().skip(1) {
-        for (channel, field) in channels.iter_mut().zip(line.split(',').skip(1)) {
-            channel.values.push(field.parse().unwrap());
-        }
-    }
-    Record::new(name, SamplePeriod::new(0.1).unwrap(), channels.to_vec()).unwrap()
-}
-
 /// Inputs: aileron, rudder, and a side gust that enters like -beta.
 pub(super) fn system() -> StateSpace<Discrete> {
     let paper = &catalog::PAPER_AIRCRAFT;

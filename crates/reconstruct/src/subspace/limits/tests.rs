@@ -62,7 +62,7 @@ fn the_dimension_of_the_signal() {
     let records = records(2, 3, 100);
     let mut options = Options::default();
     assert_eq!(Setting::new(&records, &options).unwrap().signal_dimension(10, 4, 1), 13);
-    options.direct_path = DirectPath::Present;
+    options.measurement.feedthrough_sensors = vec![0];
     let setting = Setting::new(&records, &options).unwrap();
     assert_eq!((setting.signal_dimension(10, 4, 1), setting.signal_dimension(10, 4, 2)), (14, 24));
 }

@@ -98,7 +98,7 @@ fn errors_are_proportional_to_the_noise_and_no_good_record_is_doubted() {
             let mut rng = generator(seed);
             let clean = two_readings(2000, 0.0, &mut rng);
             let data = noisy(&clean, &levels(&clean, ratio), &mut rng);
-            let options = Options { centring: Centring::None, ..Options::default() };
+            let options = Options { measurement: Measurement::default(), ..Options::default() };
             let found = identify(&data, &options).unwrap();
             assert_eq!(found.order.order, 4, "{:?}", found.order.gaps);
             assert_eq!(found.doubts, [], "SNR {ratio}, seed {seed}");
@@ -184,7 +184,7 @@ fn free_motion_and_missing_modes_are_recognised() {
     clean[1] = readings([&rest, &rest, &rest], Some(&start));
     let data = noisy(&clean, &levels(&clean, 1000.0), &mut rng);
     let mut options = fixed(4);
-    options.centring = Centring::None;
+    options.measurement.offsets = Offsets::Zero;
     let found = identify(&data, &options).unwrap();
     assert_eq!(
         found.records[1].excitation.rank,

@@ -41,15 +41,15 @@ fn truth() -> Vec<Complex<f64>> {
 fn poles_are_those_of_the_oracle() {
     let oracle = oracle();
     for name in ["white_snr100", "white_snr10", "multistep_snr100"] {
-        for (centring, key) in [(Centring::Rows, "rows"), (Centring::None, "none")] {
+        for (offsets, key) in [(Offsets::Free, "rows"), (Offsets::Zero, "none")] {
             let expected = &oracle[name][key];
             let mut options = fixed(4);
             options.block_rows =
                 Some(usize::try_from(oracle[name]["block_rows"].as_u64().unwrap()).unwrap());
             options.noise = NoiseModel::Levels(numbers(&oracle[name]["noise_levels"]));
-            options.centring = centring;
+            options.measurement.offsets = offsets;
             // The oracle leaves room for a direct path.
-            options.direct_path = DirectPath::Present;
+            options.measurement.feedthrough_sensors = vec![0];
             let found = identify(&pair(name), &options).unwrap();
             let poles: Vec<_> =
                 expected["eigenvalues"].as_array().unwrap().iter().map(numbers).collect();
@@ -66,12 +66,13 @@ fn poles_are_those_of_the_oracle() {
 
 #[test]
 fn noise_free_records_give_the_eigenvalues() {
-    for (centring, block_rows, order) in [
-        (Centring::Rows, None, OrderChoice::Fixed(4)),
-        (Centring::None, None, OrderChoice::Gap { largest: 10 }),
-        (Centring::Rows, Some(40), OrderChoice::Gap { largest: 10 }),
+    for (offsets, block_rows, order) in [
+        (Offsets::Free, None, OrderChoice::Fixed(4)),
+        (Offsets::Zero, None, OrderChoice::Gap { largest: 10 }),
+        (Offsets::Free, Some(40), OrderChoice::Gap { largest: 10 }),
     ] {
-        let options = Options { order, centring, block_rows, ..Options::default() };
+        let measurement = Measurement { offsets, ..Measurement::default() };
+        let options = Options { order, measurement, block_rows, ..Options::default() };
         let found = identify(&pair("noise_free"), &options).unwrap();
         assert_eq!(found.order.order, 4);
         // Distances in 1/s; the slowest eigenvalue is 0.0016.
@@ -100,8 +101,9 @@ fn noise_levels_come_out_within_some_per_cent() {
 #[test]
 fn the_gap_tells_four_states() {
     for name in ["white_snr100", "white_snr10", "multistep_snr100"] {
-        for centring in [Centring::Rows, Centring::None] {
-            let options = Options { centring, ..Options::default() };
+        for offsets in [Offsets::Free, Offsets::Zero] {
+            let measurement = Measurement { offsets, ..Measurement::default() };
+            let options = Options { measurement, ..Options::default() };
             let found = identify(&pair(name), &options).unwrap();
             assert_eq!(found.order.order, 4);
         }

@@ -140,13 +140,13 @@ proptest! {
         order in 2..=10_usize,
         sensors in 3..=6_usize,
         records in 2..=5_usize,
-        centring in proptest::sample::select(vec![Centring::Rows, Centring::None]),
+        offsets in proptest::sample::select(vec![Offsets::Free, Offsets::Zero]),
         seed in 0..1000_u64,
     ) {
         let plant = plant(kind, order, sensors, records, seed);
         let data = simulate(&plant, 400, None, seed + 1);
         let mut options = fixed(order);
-        options.centring = centring;
+        options.measurement.offsets = offsets;
         let found = identify(&data, &options).unwrap();
         let error = model_error(&plant, None, &found.model);
         prop_assert!(error < 1e-7, "{error:e}");
@@ -176,7 +176,7 @@ fn a_direct_path_is_recovered() {
         let mut rng = generator(seed + 100);
         let d: Vec<_> = (0..3).map(|_| normal(&mut rng, 3, 1).column(0).into_owned()).collect();
         let mut options = fixed(4);
-        options.direct_path = DirectPath::Present;
+        options.measurement.feedthrough_sensors = vec![0];
         let found = identify(&simulate(&plant, 500, Some(&d), seed), &options).unwrap();
         let error = model_error(&plant, Some(&d), &found.model);
         assert!(error < 1e-7, "{error:e}");

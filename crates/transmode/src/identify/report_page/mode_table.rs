@@ -92,7 +92,7 @@ fn numbers(found: &IdentifiedMode) -> [String; QUANTITIES.len()] {
     let number = |value: f64| format_significant(value, 5);
     let oscillates = mode.period_s.is_some();
     let cell = |value: f64, of: Option<Estimate>| match of {
-        Some(estimate) => with_deviation(value, estimate.deviation),
+        Some(estimate) => with_deviation(value, estimate.standard_error),
         None => number(value),
     };
     let dash = || "-".to_owned();
@@ -107,8 +107,12 @@ fn numbers(found: &IdentifiedMode) -> [String; QUANTITIES.len()] {
     let plane = estimate.map(|estimate| estimate.continuous);
     let doubles = if mode.eigenvalue.re > 0.0 { "doubles in " } else { "" };
     [
-        real(plane.map(|plane| plane.real_deviation())),
-        if oscillates { imaginary(plane.map(|plane| plane.imaginary_deviation())) } else { dash() },
+        real(plane.map(|plane| plane.real_standard_error())),
+        if oscillates {
+            imaginary(plane.map(|plane| plane.imaginary_standard_error()))
+        } else {
+            dash()
+        },
         cell(
             mode.natural_frequency_rad_s,
             estimate.map(|estimate| estimate.natural_frequency_rad_s),

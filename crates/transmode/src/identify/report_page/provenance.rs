@@ -54,8 +54,8 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
             ],
         );
         for (sensor, level) in levels.iter().enumerate() {
-            let deviation = if level.deviation > 0.0 {
-                format_significant(level.deviation, 2)
+            let deviation = if level.standard_error > 0.0 {
+                format_significant(level.standard_error, 2)
             } else {
                 "-".to_owned()
             };

@@ -88,7 +88,7 @@ fn options(input: &Outcome<'_>) -> subspace::Options {
     let any = subspace::Options::default();
     let mut options = input.options.subspace();
     (options.order, options.block_rows) = (any.order, any.block_rows);
-    let inputs = options.known_inputs.iter_mut().flatten();
+    let inputs = options.measurement.known_inputs.iter_mut().flatten();
     inputs.for_each(|signal| signal.truncate(LARGEST_SAMPLES));
     options
 }

@@ -57,8 +57,8 @@ fn noise(outcome: &Outcome<'_>) -> Option<String> {
         (&reconstruct::Channel, reconstruct::likelihood::Estimate),
     )| {
         let unit = outcome.unit(index).filter(|unit| !unit.is_empty());
-        let deviation = if level.deviation > 0.0 {
-            format!(" +- {}", format_significant(level.deviation, 2))
+        let deviation = if level.standard_error > 0.0 {
+            format!(" +- {}", format_significant(level.standard_error, 2))
         } else {
             String::new()
         };

@@ -46,7 +46,7 @@ fn the_bound_is_what_another_program_says() {
 fn without_noise_the_printed_method_finds_everything() {
     let simulator = Simulator::new().unwrap();
     let pair = simulator.fly(Excitation::White, f64::INFINITY, 1).unwrap();
-    let errors = printed_errors(&pair.records, &simulator.aircraft.modes).unwrap();
+    let errors = paper_errors(&pair.records, &simulator.aircraft.modes).unwrap();
     assert!(errors.iter().all(|error| *error < 1e-6), "{errors:?}");
 }
 

@@ -1,9 +1,7 @@
 use num_complex::Complex;
-use realfft::RealFftPlanner;
 
 use super::super::evaluation::Problem;
 use super::super::parameters::{Layout, System};
-use super::super::spectrum::transform;
 use nalgebra::DVector;
 
 use super::*;
@@ -22,11 +20,10 @@ fn on_threads(
     model: &crate::SharedModel,
     scalars: Scalars,
 ) -> Sums {
-    let spectrum = transform(record, 0, &[1.0; 3], &Options::default(), &mut RealFftPlanner::new());
     let layout =
         Layout { order: 3, sensors: 3, records: 1, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
-    let problem =
-        Problem { layout, spectra: vec![spectrum.unwrap()], threads, floors: vec![1e-24; 3] };
+    let options = Options { threads, ..Options::default() };
+    let problem = Problem::new(layout, std::slice::from_ref(record), &[1.0; 3], &options).unwrap();
     let system = System {
         a: model.a.clone(),
         c: model.c.clone(),

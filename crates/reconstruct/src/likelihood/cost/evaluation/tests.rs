@@ -1,7 +1,5 @@
 use num_complex::Complex;
-use realfft::RealFftPlanner;
 
-use super::super::spectrum::transform;
 use super::*;
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
 use crate::likelihood::options::{Noise, Options};
@@ -52,13 +50,6 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
         };
         options.noise = Noise::Spectra(samples.map(spectrum).to_vec());
     }
-    let mut planner = RealFftPlanner::new();
-    let spectra = flights
-        .records
-        .iter()
-        .enumerate()
-        .map(|(k, record)| transform(record, k, &flights.levels, &options, &mut planner).unwrap())
-        .collect();
     let layout = Layout {
         order: 4,
         sensors: 3,
@@ -66,21 +57,13 @@ fn problem(feedthrough: bool, spectra: bool, everything: bool) -> (Problem, Syst
         feedthrough: options.measurement.feedthrough_sensors.clone(),
         hold: Hold::ZeroOrder,
     };
-    let units = DVector::from_column_slice(&flights.levels);
-    let mut c = model.c.clone();
-    for (mut row, unit) in c.row_iter_mut().zip(units.iter()) {
-        row /= *unit;
-    }
-    let d = (0..2).map(|j| {
-        let d = model.feedthrough.as_ref().map_or(DVector::zeros(3), |all| all[j].clone());
-        d.component_div(&units)
-    });
     // The pole at 1 stays where it is: the first frequency hits it.
-    let system = System { a: model.a.clone(), c, b: model.b.clone(), d: d.collect() };
+    let system = System::scaled(&model, &flights.levels, &layout);
+    let problem = Problem::new(layout, &flights.records, &flights.levels, &options).unwrap();
     let mut off = |x: f64| x * (1.0 + 0.02 * normal.next());
     let b = system.b.iter().map(|b| b.map(&mut off)).collect();
     let c = system.c.map(&mut off);
-    (Problem { layout, spectra, threads: 1, floors: vec![1e-24; 3] }, System { b, c, ..system })
+    (problem, System { b, c, ..system })
 }
 
 fn settle(problem: &Problem, system: System, variances: &[f64]) -> Evaluation {
@@ -190,7 +173,7 @@ fn the_gram_matrix_is_that_of_the_prediction() {
 }
 
 #[test]
-fn free_directions_carry_no_information() {
+fn invariant_tangents_carry_no_information() {
     let kinds = [
         (false, Hold::ZeroOrder),
         (true, Hold::ZeroOrder),
@@ -201,7 +184,7 @@ fn free_directions_carry_no_information() {
         let (mut problem, system) = problem(all, all, all);
         problem.layout.hold = hold;
         let here = settle(&problem, system, &[1.0; 3]);
-        let tangents = here.system.free_directions(&problem.layout);
+        let tangents = here.system.invariant_tangents(&problem.layout);
         for tangent in tangents.column_iter() {
             let information = tangent.dot(&(&here.gram * tangent));
             let size: f64 =

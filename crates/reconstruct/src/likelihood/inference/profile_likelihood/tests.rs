@@ -44,7 +44,7 @@ fn with_little_noise_it_is_the_symmetric_interval() {
             }
             real += 1;
             let [low, high] = interval.unwrap();
-            let (s, deviation) = (mode.continuous.value.re, mode.continuous.real_deviation());
+            let (s, deviation) = (mode.continuous.value.re, mode.continuous.real_standard_error());
             for end in [(s - low) / deviation, (high - s) / deviation] {
                 assert!((end / NORMAL_95 - 1.0).abs() < 0.03, "{end}");
             }
@@ -116,7 +116,7 @@ fn a_neighbour_does_not_take_the_place_of_a_mode() {
             let s = mode.continuous.value.re;
             assert!(low < s && s < high, "{seed}: {low} {s} {high}");
             // Beyond twenty deviations it would be the other one that is held.
-            let deviation = mode.continuous.real_deviation();
+            let deviation = mode.continuous.real_standard_error();
             assert!(high - low < 40.0 * deviation, "{seed}: {low} {high}, {deviation}");
         }
     }

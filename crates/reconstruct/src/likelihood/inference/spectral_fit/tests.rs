@@ -27,6 +27,13 @@ fn levels(fit: &Fit) -> Vec<f64> {
     fit.noise_levels.iter().flatten().map(|level| level.value).collect()
 }
 
+/// The spectra beside those of a fit.
+fn fitted(records: &[Record], fit: &Fit, options: &Options) -> Vec<SpectralFit> {
+    let error = fit.model_error.map(|error| error.value);
+    spectral_fit(records, &fit.model, &levels(fit), error, &fit.feedthrough_sensors, options)
+        .unwrap()
+}
+
 #[test]
 fn adds_up_with_everything_unknown() {
     let mut normal = Normal::new(6);
@@ -52,15 +59,7 @@ fn adds_up_with_everything_unknown() {
             ..given(&flights.levels)
         };
         let fit = identify(&flights.records, std::slice::from_ref(&start), &options).unwrap();
-        let fits = spectral_fit(
-            &flights.records,
-            &fit.model,
-            &levels(&fit),
-            None,
-            &fit.feedthrough_sensors,
-            &options,
-        )
-        .unwrap();
+        let fits = fitted(&flights.records, &fit, &options);
         let (found, expected) = (cost(&fits, &samples), fit.chi_squared.value);
         assert!((found / expected - 1.0).abs() < 1e-6, "{found} and {expected}");
     }
@@ -74,15 +73,7 @@ fn response_and_noise_make_up_the_spectrum() {
     let flights = fly(&truth, &[4000, 4000], &disturbance, &mut normal);
     let options = Options::default();
     let fit = identify(&flights.records, &[truth], &options).unwrap();
-    let fits = spectral_fit(
-        &flights.records,
-        &fit.model,
-        &levels(&fit),
-        None,
-        &fit.feedthrough_sensors,
-        &options,
-    )
-    .unwrap();
+    let fits = fitted(&flights.records, &fit, &options);
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     for (record, spectrum) in flights.records.iter().zip(&fits) {
         assert!((mean(&spectrum.residuals) - 1.0).abs() < 0.05);
@@ -103,4 +94,18 @@ fn response_and_noise_make_up_the_spectrum() {
             assert!(mean(&sensor.response) > 0.9 * power);
         }
     }
+}
+
+#[test]
+fn adds_up_with_a_model_error() {
+    let mut normal = Normal::new(12);
+    let truth = system(&[Complex::new(0.9, 0.3), Complex::new(0.8, 0.0)], 3, 2, &mut normal);
+    let disturbance = Disturbance { noise: 0.05, ..QUIET };
+    let samples = [400, 351];
+    let flights = fly(&truth, &samples, &disturbance, &mut normal);
+    let options = Options { noise: Noise::ModelError { first_guess: None }, ..Options::default() };
+    let fit = identify(&flights.records, &[truth], &options).unwrap();
+    let fits = fitted(&flights.records, &fit, &options);
+    let (found, expected) = (cost(&fits, &samples), fit.chi_squared.value);
+    assert!((found / expected - 1.0).abs() < 1e-6, "{found} and {expected}");
 }

@@ -20,11 +20,19 @@ fn deviations_are_those_of_perturbed_matrices() {
             let slope = ((up - down) / (2.0 * STEP)).abs();
             assert!((deviation - slope).abs() < 1e-6 * (1.0 + slope), "{deviation} for {slope}");
         };
-        check(mode.discrete.real_deviation(), up.discrete.value.re, down.discrete.value.re);
-        check(mode.discrete.imaginary_deviation(), up.discrete.value.im, down.discrete.value.im);
-        check(mode.continuous.real_deviation(), up.continuous.value.re, down.continuous.value.re);
+        check(mode.discrete.real_standard_error(), up.discrete.value.re, down.discrete.value.re);
         check(
-            mode.continuous.imaginary_deviation(),
+            mode.discrete.imaginary_standard_error(),
+            up.discrete.value.im,
+            down.discrete.value.im,
+        );
+        check(
+            mode.continuous.real_standard_error(),
+            up.continuous.value.re,
+            down.continuous.value.re,
+        );
+        check(
+            mode.continuous.imaginary_standard_error(),
             up.continuous.value.im,
             down.continuous.value.im,
         );
@@ -32,7 +40,7 @@ fn deviations_are_those_of_perturbed_matrices() {
         let parts =
             |mode: &Mode| [mode.natural_frequency_rad_s, mode.damping_ratio, mode.time_constant_s];
         for ((x, y), z) in parts(x).into_iter().zip(parts(y)).zip(parts(z)) {
-            check(x.deviation, y.value, z.value);
+            check(x.standard_error, y.value, z.value);
         }
     }
 }
@@ -71,5 +79,5 @@ fn what_is_defective_has_no_deviation() {
     let a = DMatrix::from_row_slice(2, 2, &[0.5, 1.0, 0.0, 0.5]);
     let found = modes(&a, SamplePeriod::new(1.0).unwrap(), &DMatrix::identity(4, 4)).unwrap();
     // Either exactly defective, or two eigenvalues that hardly are two.
-    assert!(found.iter().all(|mode| mode.continuous.real_deviation() > 1e5));
+    assert!(found.iter().all(|mode| mode.continuous.real_standard_error() > 1e5));
 }

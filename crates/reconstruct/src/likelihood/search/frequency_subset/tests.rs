@@ -1,10 +1,7 @@
-use nalgebra::DMatrix;
 use num_complex::Complex;
-use realfft::RealFftPlanner;
 
 use super::*;
 use crate::likelihood::cost::parameters::{Layout, System};
-use crate::likelihood::cost::spectrum::transform;
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
 use crate::likelihood::options::{Hold, Options};
 
@@ -14,21 +11,12 @@ fn problem(samples: usize) -> (Problem, System) {
     let model = system(&eigenvalues, 3, 2, &mut normal);
     let disturbance = Disturbance { noise: 0.05, offset: 0.0, trend: 0.0, known: 0.0 };
     let flights = fly(&model, &[samples, samples], &disturbance, &mut normal);
-    let mut planner = RealFftPlanner::new();
-    let options = Options::default();
-    let spectra = flights.records.iter().enumerate();
-    let spectra = spectra
-        .map(|(k, record)| transform(record, k, &flights.levels, &options, &mut planner).unwrap());
     let layout =
         Layout { order: 3, sensors: 3, records: 2, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
-    let truth =
-        System { a: model.a, c: model.c, b: model.b, d: vec![nalgebra::DVector::zeros(3); 2] };
-    let truth =
-        System { c: DMatrix::from_fn(3, 3, |i, k| truth.c[(i, k)] / flights.levels[i]), ..truth };
-    (
-        Problem { layout, spectra: spectra.collect(), threads: 1, floors: vec![1e-24; 3] },
-        truth.normalised(),
-    )
+    let truth = System::scaled(&model, &flights.levels, &layout).normalised();
+    let problem =
+        Problem::new(layout, &flights.records, &flights.levels, &Options::default()).unwrap();
+    (problem, truth)
 }
 
 #[test]

@@ -191,21 +191,9 @@ fn a_bootstrap_keeps_the_hold() {
 fn a_problem_is_left_with_the_hold_that_was_found() {
     let (flights, starts) = flights(Hold::FirstOrder, 39, 0.01);
     let options = given(&flights.levels);
-    let mut planner = realfft::RealFftPlanner::new();
-    let spectra = flights.records.iter().enumerate().map(|(index, record)| {
-        crate::likelihood::cost::spectrum::transform(
-            record,
-            index,
-            &flights.levels,
-            &options,
-            &mut planner,
-        )
-        .unwrap()
-    });
     let layout =
         Layout { order: 4, sensors: 3, records: 2, feedthrough: vec![], hold: Hold::ZeroOrder };
-    let mut problem =
-        Problem { layout, spectra: spectra.collect(), threads: 1, floors: vec![1e-24; 3] };
+    let mut problem = Problem::new(layout, &flights.records, &flights.levels, &options).unwrap();
     let residuals = 2.0 * 1100.0;
     let (found, evidence) =
         search_over_holds(&mut problem, &starts, &flights.levels, residuals, &options).unwrap();

@@ -23,11 +23,7 @@ fn cosine(model: &SharedModel, disturbance: &Disturbance, options: &Options, see
         hold: Hold::ZeroOrder,
     };
     let units = DVector::from_column_slice(&flights.levels);
-    let mut c = model.c.clone();
-    for (mut row, unit) in c.row_iter_mut().zip(units.iter()) {
-        row /= *unit;
-    }
-    let system = System { a: model.a.clone(), c, b: vec![], d: vec![] };
+    let system = System::scaled(model, &flights.levels, &layout);
     let (b, d) = input_direction(&spectrum.unwrap(), &system, &layout, &vec![1.0; m]).unwrap();
     let d = d.component_mul(&units);
     let truth = model.feedthrough.as_ref().map_or(DVector::zeros(m), |all| all[0].clone());

@@ -55,7 +55,7 @@ fn a_model_error_is_found_beside_white_noise() {
     let found = fit.model_error.unwrap();
     // The smoothed periodogram is as large as the signal on average, and scatters about it.
     assert!((found.value / SIZE - 1.0).abs() < 0.2, "{found:?}");
-    assert!(found.deviation < 0.1 * found.value);
+    assert!(found.standard_error < 0.1 * found.value);
     assert!((fit.chi_squared.per_degree_of_freedom() - 1.0).abs() < 0.05);
     for (distance, deviations) in misses(&fit, &eigenvalues) {
         assert!(deviations < 4.0, "off by {distance}, {deviations} deviations");
@@ -63,7 +63,7 @@ fn a_model_error_is_found_beside_white_noise() {
     // What is asked of a finished fit knows of it, too.
     let [low, high] = profile_intervals(&records, &fit, &options).unwrap()[0].unwrap();
     let s = 0.6_f64.ln() / model.period.seconds();
-    let width = 2.0 * 1.96 * fit.modes[0].continuous.real_deviation();
+    let width = 2.0 * 1.96 * fit.modes[0].continuous.real_standard_error();
     assert!(low < s && s < high, "{low} {high}");
     assert!(((high - low) / width - 1.0).abs() < 0.2, "{low} {high} {width}");
     // Without it the same records have deviations that are too small, or levels that are too large.

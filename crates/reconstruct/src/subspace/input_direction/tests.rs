@@ -28,7 +28,7 @@ fn the_direction_is_found_up_to_length_and_sign() {
     for b in [[1.0, 2.0], [-3.0, 0.1], [0.0, 5.0]] {
         let b = DVector::from_row_slice(&b);
         let (o, t) = example(&b, &DVector::zeros(3));
-        let found = direction(&annihilators(&o, &t), &o, 3, DirectPath::Absent).unwrap();
+        let found = input_direction(&annihilators(&o, &t), &o, 3, DirectPath::Absent).unwrap();
         assert!(((found.b.dot(&b) / b.norm()).abs() - 1.0).abs() < 1e-13, "{}", found.b);
         assert!((found.b.norm() - 1.0).abs() < 1e-14 && found.d.is_none());
         assert!(found.ambiguity < 1e-12);
@@ -39,7 +39,7 @@ fn the_direction_is_found_up_to_length_and_sign() {
 fn the_direct_path_comes_on_the_scale_of_b() {
     let (b, d) = (nalgebra::dvector![1.0, 2.0], nalgebra::dvector![0.3, -4.0, 0.1]);
     let (o, t) = example(&b, &d);
-    let found = direction(&annihilators(&o, &t), &o, 3, DirectPath::Present).unwrap();
+    let found = input_direction(&annihilators(&o, &t), &o, 3, DirectPath::Present).unwrap();
     // b comes back as factor * b, and d with the same factor.
     let factor = found.b.dot(&b) / b.norm_squared();
     assert!((found.b - b * factor).norm() < 1e-12);
@@ -51,6 +51,6 @@ fn a_direction_that_nothing_determines_is_ambiguous() {
     let (o, _) = example(&DVector::zeros(2), &DVector::zeros(3));
     // These annihilate nothing in particular.
     let noise = DMatrix::from_fn(24, 6, |i, k| ((5 * i + 11 * k * k) as f64).sin());
-    let found = direction(&noise, &o, 3, DirectPath::Absent).unwrap();
+    let found = input_direction(&noise, &o, 3, DirectPath::Absent).unwrap();
     assert!(found.ambiguity > 0.1 && found.ambiguity <= 1.0);
 }

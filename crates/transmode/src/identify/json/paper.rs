@@ -1,4 +1,4 @@
-//! What the printed method says beside the modes.
+//! What the paper's method says beside the modes.
 
 use num_complex::Complex;
 use reconstruct::paper;

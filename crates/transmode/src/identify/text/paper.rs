@@ -1,4 +1,4 @@
-//! What the printed method says of its own on the terminal.
+//! What the paper's method says of its own on the terminal.
 
 use reconstruct::paper;
 use report::{format_conjugate_pair, format_significant};

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::dense::{Eigen, eigen_of_square};
-use super::options::DirectPath;
+use super::limits::DirectPath;
 use crate::ReconstructError;
 
 /// How much of the sum of the columns so far goes into the next: a low pass.
@@ -15,7 +15,7 @@ const LEAK: f64 = 0.9;
 
 /// `b_j` and `d_j`, and how well they are determined.
 #[derive(Clone, Debug)]
-pub(super) struct Direction {
+pub(super) struct InputDirection {
     pub(super) b: DVector<f64>,
     pub(super) d: Option<DVector<f64>>,
     /// How much better this direction fits than the next: 0 for one that is determined exactly, near 1 for one that is arbitrary.
@@ -32,12 +32,12 @@ pub(super) struct Direction {
 /// ```
 ///
 /// a singular vector. With a direct path the unknowns are `(d, b)`, and d stands in the block above the response.
-pub(super) fn direction(
+pub(super) fn input_direction(
     annihilators: &DMatrix<f64>,
     observability: &DMatrix<f64>,
     sensors: usize,
     path: DirectPath,
-) -> Result<Direction, ReconstructError> {
+) -> Result<InputDirection, ReconstructError> {
     let (rows, order) = observability.shape();
     let (direct, columns) = match path {
         DirectPath::Absent => (0, rows / sensors - 1),
@@ -83,7 +83,7 @@ pub(super) fn direction(
     // Of a single unknown there is no next.
     let next = values.get(1).copied().unwrap_or(f64::INFINITY).max(f64::MIN_POSITIVE);
     let ambiguity = (values[0] / next).sqrt();
-    Ok(Direction { b: unknown.rows(direct, order).into_owned(), d, ambiguity })
+    Ok(InputDirection { b: unknown.rows(direct, order).into_owned(), d, ambiguity })
 }
 
 #[cfg(test)]
