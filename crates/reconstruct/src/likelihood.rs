@@ -37,9 +37,10 @@ pub use crate::model::{AutoregressionOrder, NoiseSpectrum, VectorAutoregression}
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use identify::identify;
 pub use inference::doubt::Doubt;
-pub use inference::fit::{Fit, Rival};
+pub use inference::fit::{Contrast, Fit, Rival};
 pub use inference::fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilities};
 pub use inference::goodness_of_fit::{ChiSquared, Whiteness};
+pub use inference::model_error_test::{ModelErrorTest, model_error_test};
 pub use inference::offset_test::OffsetTest;
 pub use inference::profile_likelihood::profile_intervals;
 pub(crate) use inference::spectral_fit::spectral_fit;

@@ -1,22 +1,24 @@
 //! Which modes do these records show, and what is there to doubt? The one entry point to all methods.
 
 mod doubt;
+mod model_error;
+mod noise_choice;
 mod options;
-mod orders;
 mod result;
 mod spectra;
 mod starts;
+mod white_noise;
 
 use lti::{Discrete, Mode, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 
 pub use doubt::Doubt;
 pub use options::{Method, Options};
-pub use orders::ComparedOrder;
-use orders::Fitted;
-pub use result::{Details, FoundMode, Reconstruction};
+
+pub use result::{ComparedOrder, Details, FoundMode, Reconstruction};
 pub use spectra::spectral_fits;
 use starts::FirstStage;
+use white_noise::Fitted;
 
 use crate::likelihood::profile_intervals;
 use crate::subspace::Intersection;
@@ -116,10 +118,10 @@ fn by_likelihood(
     records: &[Record],
     options: &Options,
 ) -> Result<Reconstruction, ReconstructError> {
-    let (Fitted { stage, fit, doubts, compared }, second) = orders::fitted(records, options)?;
+    let Fitted { stage, fit, doubts, compared } = noise_choice::fitted(records, options)?;
     let FirstStage { intersection, order, .. } = stage;
     let intervals = if options.profile {
-        profile_intervals(records, &fit, &second)?
+        profile_intervals(records, &fit)?
     } else {
         vec![None; fit.modes.len()]
     };

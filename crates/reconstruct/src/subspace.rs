@@ -15,7 +15,7 @@ mod realisation;
 mod sources;
 mod whitening;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 pub(crate) use diagnosis::of_order;
 pub use doubt::Doubt;
@@ -31,9 +31,9 @@ use diagnosis::{Findings, doubts, same_excitation};
 use excitation::{excitation_rank, noise_edge};
 use input_direction::input_direction;
 use levels::Window;
-use limits::Setting;
+use limits::{Extent, Setting};
 use order::Spaces;
-use realisation::realise;
+use realisation::{Realisation, realise};
 use sources::{Sources, quiet_whitening};
 use whitening::Whitening;
 
@@ -113,7 +113,7 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, R
             (best(&gaps), Some(gaps))
         }
     };
-    if order < extent.largest_order && options.noise == NoiseModel::Estimated {
+    if order < extent.largest_order && options.noise.is_estimated() {
         (whitening, origin) = engine.noise(&options.noise, order)?;
         spectra = engine.spectra(&whitening)?;
     }
@@ -128,43 +128,26 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, R
     if let Some(gaps) = gaps {
         (evidence.asked, evidence.gaps) = (false, gaps);
     }
-    let realised = realise(&observability, setting.sensors)?;
+    let Realised { model, realisation, ambiguities } =
+        engine.realised(records, &spaces, &whitening, &observability)?;
     let mut found = Vec::with_capacity(records.len());
-    let (mut b, mut feedthrough) = (Vec::new(), Vec::new());
     for (j, (record, spectrum)) in records.iter().zip(&spectra).enumerate() {
-        let annihilators = spaces.annihilators(j, order).into_owned();
-        let excited =
-            input_direction(&annihilators, &observability, setting.sensors, setting.direct_path)?;
         let columns = sources.columns[j];
         let counted = (spectrum.values.as_slice(), extent.block_rows);
         let source = &sources.records[j].0;
         let excitation = excitation_rank(setting, &whitening, source, counted, columns, order)?;
-        b.push(excited.b);
-        feedthrough.extend(excited.d.map(|d| engine.in_sensor_units(d, &whitening)));
         found.push(RecordEvidence {
             record: record.name().to_owned(),
             columns,
             eigenvalues: spectrum.values.clone(),
             excitation,
-            ambiguity: excited.ambiguity,
+            ambiguity: ambiguities[j],
         });
     }
-    let mut c = realised.c;
-    let deviations: Vec<f64> =
-        whitening.deviations().iter().zip(&sources.units).map(|(s, unit)| s * unit).collect();
-    for (mut row, deviation) in c.row_iter_mut().zip(&deviations) {
-        row *= *deviation;
-    }
-    let model = SharedModel {
-        a: realised.a,
-        c,
-        b,
-        feedthrough: (!feedthrough.is_empty()).then_some(feedthrough),
-        period: records[0].period(),
-    };
+    let deviations = engine.deviations(&whitening);
     let modes = evidence::modes(&model, &whitening.whitened(observability), &spectra)?;
     let noise = NoiseEvidence { deviations, origin };
-    let condition = realised.condition;
+    let condition = realisation.condition;
     let findings =
         Findings { order: &evidence, noise: &noise, records: &found, modes: &modes, condition };
     let mut doubts = doubts(&findings);
@@ -177,9 +160,52 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, R
         block_rows: extent.block_rows,
         records: found,
         condition,
-        residual: realised.residual,
+        residual: realisation.residual,
         doubts,
     })
+}
+
+/// Records with their noise whitened by levels that are known: the model at one order after another, without what is said about it.
+pub(crate) struct Whitened<'a> {
+    records: &'a [Record],
+    setting: Setting<'a>,
+    sources: Sources,
+    extent: Extent,
+    whitening: Whitening,
+    spaces: Spaces,
+}
+
+impl<'a> Whitened<'a> {
+    /// Whitens the records by the levels of the options.
+    pub(crate) fn new(
+        records: &'a [Record],
+        options: &'a Options,
+    ) -> Result<Self, ReconstructError> {
+        let setting = Setting::new(records, options)?;
+        let extent = setting.extent(options.order, options.block_rows)?;
+        let probe = levels::window_rows(setting.sensors, extent.largest_order, extent.block_rows);
+        let sources = Sources::new(setting, extent.block_rows, probe)?;
+        let engine = Engine { setting, sources: &sources, block_rows: extent.block_rows };
+        let (whitening, origin) = engine.noise(&options.noise, extent.largest_order)?;
+        let spaces = engine.spaces(&engine.spectra(&whitening)?, &whitening, origin);
+        Ok(Self { records, setting, sources, extent, whitening, spaces })
+    }
+
+    /// The model of so many states; `None` where the block rows do not tell as many, or hold none.
+    pub(crate) fn model(&self, order: usize) -> Option<SharedModel> {
+        if order > self.extent.largest_order {
+            return None;
+        }
+        let block_rows = self.extent.block_rows;
+        let engine = Engine { setting: self.setting, sources: &self.sources, block_rows };
+        let (observability, _) = self.spaces.common(order).ok()?;
+        let found = engine.realised(self.records, &self.spaces, &self.whitening, &observability);
+        found.ok().map(|found| found.model)
+    }
+
+    pub(crate) fn block_rows(&self) -> usize {
+        self.extent.block_rows
+    }
 }
 
 /// The records' covariances, and what is computed from them for one noise model or another.
@@ -189,7 +215,57 @@ struct Engine<'a> {
     block_rows: usize,
 }
 
+/// The model of so many states.
+struct Realised {
+    model: SharedModel,
+    realisation: Realisation,
+    /// For each record, how well the next direction of excitation fits.
+    ambiguities: Vec<f64>,
+}
+
 impl Engine<'_> {
+    /// The model of so many states, in the sensors' units.
+    fn realised(
+        &self,
+        records: &[Record],
+        spaces: &Spaces,
+        whitening: &Whitening,
+        observability: &DMatrix<f64>,
+    ) -> Result<Realised, ReconstructError> {
+        let setting = self.setting;
+        let realisation = realise(observability, setting.sensors)?;
+        let (mut b, mut feedthrough, mut ambiguities) = (Vec::new(), Vec::new(), Vec::new());
+        for j in 0..records.len() {
+            let annihilators = spaces.annihilators(j, observability.ncols()).into_owned();
+            let excited = input_direction(
+                &annihilators,
+                observability,
+                setting.sensors,
+                setting.direct_path,
+            )?;
+            b.push(excited.b);
+            feedthrough.extend(excited.d.map(|d| self.in_sensor_units(d, whitening)));
+            ambiguities.push(excited.ambiguity);
+        }
+        let mut c = realisation.c.clone();
+        for (mut row, deviation) in c.row_iter_mut().zip(self.deviations(whitening)) {
+            row *= deviation;
+        }
+        let model = SharedModel {
+            a: realisation.a.clone(),
+            c,
+            b,
+            feedthrough: (!feedthrough.is_empty()).then_some(feedthrough),
+            period: records[0].period(),
+        };
+        Ok(Realised { model, realisation, ambiguities })
+    }
+
+    /// The levels of a whitening in the sensors' units.
+    fn deviations(&self, whitening: &Whitening) -> Vec<f64> {
+        whitening.deviations().iter().zip(&self.sources.units).map(|(s, unit)| s * unit).collect()
+    }
+
     /// The whitening of a noise model, its levels estimated for so many states if need be.
     fn noise(
         &self,
@@ -198,7 +274,7 @@ impl Engine<'_> {
     ) -> Result<(Whitening, NoiseOrigin), ReconstructError> {
         let units = &self.sources.units;
         match model {
-            NoiseModel::Estimated => self.estimated(order, 1, |_| true),
+            NoiseModel::Estimated | NoiseModel::White => self.estimated(order, 1, |_| true),
             NoiseModel::Levels(levels) => {
                 let levels = levels.iter().zip(units).map(|(level, unit)| level / unit).collect();
                 Ok((Whitening::Levels(levels), NoiseOrigin::Given))

@@ -64,10 +64,9 @@ pub struct BootstrapMode {
 ///
 /// let records = two_decays(0.9, 300, 0.01)?;
 /// let start = subspace::identify(&records, &subspace::Options::default())?.model;
-/// let options = Options::default();
-/// let fit = identify(&records, &[start], &options)?;
+/// let fit = identify(&records, &[start], &Options::default())?;
 /// let mut random = flight::Stream::new(1, 1);
-/// let Bootstrap { modes, lost, .. } = bootstrap(&records, &fit, &options, 30, &mut || random.normal())?;
+/// let Bootstrap { modes, lost, .. } = bootstrap(&records, &fit, 30, &mut || random.normal())?;
 /// assert_eq!(lost, 0);
 /// // The scatter of the slow mode agrees with its standard error within the sampling error of 30 repetitions.
 /// let ratio = modes[1].continuous.real_standard_error() / fit.modes[1].continuous.real_standard_error();
@@ -77,17 +76,16 @@ pub struct BootstrapMode {
 pub fn bootstrap(
     records: &[Record],
     fit: &Fit,
-    options: &Options,
     repetitions: usize,
     normal: &mut dyn FnMut() -> f64,
 ) -> Result<Bootstrap, ReconstructError> {
     if repetitions < 2 {
         return Err(too_few(format!("{repetitions}, at least 2 are needed")));
     }
-    let again = refitted(fit, options);
+    let again = refitted(fit);
     let starts = std::slice::from_ref(&fit.model);
     let mut planner = RealFftPlanner::new();
-    let Refit { problem, evaluation, variances, units } = refit(records, fit, options)?;
+    let Refit { problem, evaluation, variances, units } = refit(records, fit)?;
     let parts = problem
         .spectra
         .iter()
@@ -132,11 +130,11 @@ fn too_few(message: String) -> ReconstructError {
 }
 
 /// The options of the repetitions: levels that were estimated are estimated again.
-fn refitted(fit: &Fit, options: &Options) -> Options {
-    let mut again = Options { hold: Some(fit.hold), ..options.clone() };
+fn refitted(fit: &Fit) -> Options {
+    let mut again = fit.options.clone();
     let Some(levels) = &fit.noise_levels else { return again };
     let first_guess = Some(levels.iter().map(|level| level.value).collect());
-    match &options.noise {
+    match &fit.options.noise {
         Noise::Estimated { .. } => again.noise = Noise::Estimated { first_guess },
         Noise::ModelError { .. } => again.noise = Noise::ModelError { first_guess },
         Noise::Given(_) | Noise::Spectra(_) => {}

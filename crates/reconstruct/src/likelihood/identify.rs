@@ -3,11 +3,12 @@
 use super::cost::evaluation::Problem;
 use super::cost::noise::sensor_units;
 use super::inference::conclusion::conclude;
+use super::inference::doubt::IMPROBABLE;
 use super::inference::fit::Fit;
-use super::options::Options;
+use super::options::{Noise, Options};
 use super::search::hold_selection::search_over_holds;
 use super::validation;
-use crate::{ReconstructError, Record, SharedModel};
+use crate::{Measurement, Offsets, ReconstructError, Record, SharedModel};
 
 /// Fits one system to several records.
 ///
@@ -47,6 +48,33 @@ use crate::{ReconstructError, Record, SharedModel};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn identify(
+    records: &[Record],
+    starts: &[SharedModel],
+    options: &Options,
+) -> Result<Fit, ReconstructError> {
+    if options.measurement.offsets != Offsets::AsNeeded {
+        return fitted(records, starts, options);
+    }
+    let with = |offsets| {
+        let measurement = Measurement { offsets, ..options.measurement.clone() };
+        Options { measurement, ..options.clone() }
+    };
+    if matches!(options.noise, Noise::ModelError { .. }) {
+        return fitted(records, starts, &with(Offsets::Free));
+    }
+    let fit = fitted(records, starts, &with(Offsets::Zero))?;
+    let Some(test) = fit.offset_test.filter(|test| test.p_value < IMPROBABLE) else {
+        return Ok(fit);
+    };
+    let starts: Vec<SharedModel> = std::iter::once(&fit.model).chain(starts).cloned().collect();
+    let mut free = fitted(records, &starts, &with(Offsets::Free))?;
+    free.starts.remove(0);
+    free.best_start = free.best_start.saturating_sub(1);
+    free.offset_test = Some(test);
+    Ok(free)
+}
+
+fn fitted(
     records: &[Record],
     starts: &[SharedModel],
     options: &Options,

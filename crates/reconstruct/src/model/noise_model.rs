@@ -18,12 +18,22 @@ use crate::Record;
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum NoiseModel {
-    /// White, one unknown level per sensor, the same in all records: estimated from them. The default, since it needs to know nothing.
+    /// White, one unknown level per sensor, the same in all records, and beside it a relative model error where the records show one: both estimated
+    /// from them. The default, since it needs to know nothing. See [`Noise::ModelError`](crate::likelihood::Noise::ModelError).
     #[default]
     Estimated,
+    /// White and nothing else, one unknown level per sensor, the same in all records.
+    White,
     /// White, with this standard deviation for each sensor, in the sensor's unit and in the order of the channels.
     Levels(Vec<f64>),
     /// Of any colour, as in this record of the same sensors under the same disturbances while nobody excited the system on purpose: the
     /// seconds before a manoeuvre. What the disturbances do to the system counts as noise, too.
     Quiet(Record),
+}
+
+impl NoiseModel {
+    /// Whether levels are estimated from the records.
+    pub(crate) fn is_estimated(&self) -> bool {
+        matches!(self, Self::Estimated | Self::White)
+    }
 }

@@ -202,6 +202,18 @@ pub(crate) fn refuse_constant_channels(records: &[Record]) -> Result<(), Reconst
     Ok(())
 }
 
+/// The largest root mean square of a sensor about its mean, over all records.
+pub(crate) fn largest_rms(records: &[Record], sensor: usize) -> f64 {
+    let all = records.iter().map(|record| centred_rms(&record.channels()[sensor].values));
+    all.fold(0.0, f64::max)
+}
+
+/// The root mean square about the mean.
+pub(crate) fn centred_rms(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    rms(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
+}
+
 /// Root mean square, 1 for a signal that is zero throughout.
 pub(crate) fn rms(values: &[f64]) -> f64 {
     let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));

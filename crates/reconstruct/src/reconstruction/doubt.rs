@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use crate::likelihood::{Fit, Mode};
+use crate::model::record::largest_rms;
 use crate::subspace::{Intersection, NoiseOrigin};
 use crate::{NoiseModel, Record, likelihood, paper, subspace};
 
@@ -55,8 +56,13 @@ impl std::fmt::Display for Doubt {
     }
 }
 
+/// With a model error no level is below 1e-3 of a sensor's root mean square; a level that is this part of it was not chosen.
+const FAR_ABOVE_THE_FLOOR: f64 = 5e-3;
+
 /// Levels of both stages differ by less: the first stage's come out up to 20 % low in short records.
 const LEVEL_RATIO: f64 = 1.5;
+/// Quantised flights differ by 2.3, a second excitation by 5 and more.
+const LEVEL_RATIO_WITH_MODEL_ERROR: f64 = 4.0;
 
 /// What both stages and their comparison give reason to doubt.
 pub(super) fn doubts(
@@ -68,11 +74,20 @@ pub(super) fn doubts(
 ) -> Vec<Doubt> {
     // The second stage has levels and directions of its own, and among disturbances a better idea of what is excited.
     let quiet = matches!(noise, NoiseModel::Quiet(_));
+    // What the first stage says of order and excitations holds for white noise.
+    let model_error = fit.model_error.is_some();
     doubts.retain(|doubt| match doubt {
         Doubt::Subspace(doubt) => match doubt {
+            subspace::Doubt::WeakOrder { .. }
+            | subspace::Doubt::ContestedOrder { .. }
+            | subspace::Doubt::SeveralExcitations { .. }
+            | subspace::Doubt::NoiseNotWhite { .. }
+            | subspace::Doubt::SameExcitation { .. } => !model_error,
             subspace::Doubt::NoiseNotConverged { .. }
             | subspace::Doubt::UncertainDirection { .. } => false,
-            subspace::Doubt::HardlyExcited { pole, .. } => !(quiet && is_determined(*pole, fit)),
+            subspace::Doubt::HardlyExcited { pole, .. } => {
+                !((quiet || model_error) && is_determined(*pole, fit))
+            }
             _ => true,
         },
         _ => true,
@@ -84,9 +99,13 @@ pub(super) fn doubts(
     }
     doubts.extend(fit.doubts(records, noise).into_iter().map(Doubt::Likelihood));
     if let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels) {
+        let ratio = if model_error { LEVEL_RATIO_WITH_MODEL_ERROR } else { LEVEL_RATIO };
         let channels = records[0].channels().iter();
-        for ((channel, &subspace), level) in channels.zip(&first.noise.deviations).zip(levels) {
-            if level.value - 3.0 * level.standard_error > LEVEL_RATIO * subspace {
+        let each = channels.zip(&first.noise.deviations).zip(levels).enumerate();
+        for (index, ((channel, &subspace), level)) in each {
+            let above_floor = || level.value > FAR_ABOVE_THE_FLOOR * largest_rms(records, index);
+            let meant = !model_error || above_floor();
+            if meant && level.value - 3.0 * level.standard_error > ratio * subspace {
                 let (sensor, likelihood) = (channel.name.clone(), level.value);
                 doubts.push(Doubt::LevelsDisagree { sensor, subspace, likelihood });
             }

@@ -108,10 +108,12 @@ impl Options {
     ) -> Result<likelihood::Options, ReconstructError> {
         let noise = match &self.noise {
             NoiseModel::Levels(levels) => Noise::Given(levels.clone()),
-            NoiseModel::Estimated if first.noise.origin == NoiseOrigin::Rounding => {
+            NoiseModel::Estimated | NoiseModel::White
+                if first.noise.origin == NoiseOrigin::Rounding =>
+            {
                 Noise::Given(levels_without_noise(records, &first.noise.deviations))
             }
-            NoiseModel::Estimated => {
+            NoiseModel::Estimated | NoiseModel::White => {
                 Noise::Estimated { first_guess: Some(first.noise.deviations.clone()) }
             }
             NoiseModel::Quiet(quiet) => {

@@ -4,7 +4,6 @@ use lti::Mode;
 
 use super::doubt::Doubt;
 use super::options::Method;
-use super::orders::ComparedOrder;
 use crate::likelihood::{Estimate, Fit, Whiteness};
 use crate::subspace::{ExcitationRank, Intersection, NoiseOrigin, OrderEvidence};
 use crate::{SharedModel, likelihood, paper};
@@ -23,6 +22,17 @@ pub struct FoundMode {
     /// For each record the variance along the mode that nothing else explains, in units of the noise's variance: 1 is noise. Empty for the
     /// paper's method.
     pub excitation_snr: Vec<f64>,
+}
+
+/// Another order that was fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ComparedOrder {
+    /// The number of states.
+    pub order: usize,
+    /// What its criterion lies above that of the order used: [`Fit::criterion`], or [`Fit::bayesian_criterion`] with a model error. Below zero where more states are
+    /// more likely, but leave the modes where they are.
+    pub above: f64,
 }
 
 /// What several records say about the system they come from.

@@ -44,5 +44,9 @@ pub fn spectral_fits(
     let feedthrough = &options.measurement.feedthrough_sensors;
     let direct = found.fit().map_or(feedthrough, |fit| &fit.feedthrough_sensors);
     let model_error = found.fit().and_then(|fit| fit.model_error).map(|error| error.value);
-    spectral_fit(records, model, &levels, model_error, direct, &options.likelihood(records, first)?)
+    let options = match found.fit() {
+        Some(fit) => &fit.options,
+        None => &options.likelihood(records, first)?,
+    };
+    spectral_fit(records, model, &levels, model_error, direct, options)
 }

@@ -6,6 +6,7 @@ use crate::subspace::{Intersection, NoiseOrigin, OrderChoice, OrderEvidence, bes
 use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
 
 /// What the first stage says.
+#[derive(Clone)]
 pub(super) struct FirstStage {
     /// The intersection with the block rows of its rule.
     pub(super) intersection: Intersection,
@@ -41,7 +42,7 @@ pub(super) fn first_stage(
     let clear = first.noise.origin == NoiseOrigin::Rounding || (order.gap >= CLEAR_GAP && !quiet);
     if options.block_rows.is_none() && !clear {
         let mut other = own.clone();
-        if options.noise == NoiseModel::Estimated {
+        if options.noise.is_estimated() {
             other.noise = NoiseModel::Levels(first.noise.deviations.clone());
         }
         let found = |other: &subspace::Options, block_rows: usize| {
@@ -83,6 +84,26 @@ pub(super) fn first_stage(
     Ok(FirstStage { intersection: first, order, doubts, starts })
 }
 
+/// The first stage at another order, with the evidence that speaks for and against it.
+pub(super) fn at_order(
+    records: &[Record],
+    options: &Options,
+    evidence: &OrderEvidence,
+    order: usize,
+) -> Result<FirstStage, ReconstructError> {
+    let fixed = Options { order: OrderChoice::Fixed(order), ..options.clone() };
+    let stage = first_stage(records, &fixed)?;
+    let evidence = OrderEvidence {
+        order,
+        asked: false,
+        eigenvalues: stage.order.eigenvalues.clone(),
+        gap: gap_of(&evidence.gaps, order),
+        gaps: evidence.gaps.clone(),
+    };
+    let doubts = doubts(&stage.intersection, &evidence);
+    Ok(FirstStage { order: evidence, doubts, ..stage })
+}
+
 /// The geometric mean of each order's gaps, for the orders that all numbers of block rows can tell.
 fn means(first: &Intersection, others: &[Intersection]) -> Vec<(usize, f64)> {
     let all: Vec<_> = std::iter::once(first).chain(others).map(|found| &found.order.gaps).collect();
@@ -100,7 +121,7 @@ pub(super) fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
 }
 
 /// The intersection's own doubts, but for those about the order.
-pub(super) fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<Doubt> {
+fn doubts(first: &Intersection, order: &OrderEvidence) -> Vec<Doubt> {
     let combined = !order.asked;
     let about_order = |doubt: &subspace::Doubt| {
         matches!(doubt, subspace::Doubt::WeakOrder { .. } | subspace::Doubt::ContestedOrder { .. })

@@ -61,7 +61,7 @@ impl<'a> Setting<'a> {
         refuse_dead(records)?;
         refuse_doubles(records)?;
         let quiet = match &options.noise {
-            NoiseModel::Estimated => None,
+            NoiseModel::Estimated | NoiseModel::White => None,
             NoiseModel::Levels(levels) => {
                 check_levels(&records[0], levels)?;
                 None
@@ -75,7 +75,7 @@ impl<'a> Setting<'a> {
         options.measurement.check(records)?;
         let Measurement { offsets, trend, feedthrough_sensors, known_inputs: known } =
             &options.measurement;
-        let still = *offsets == Offsets::Zero && *trend == Trend::Absent;
+        let still = *offsets == Offsets::Zero && *trend != Trend::Linear;
         let centring = if still { Centring::None } else { Centring::Rows };
         let direct = !feedthrough_sensors.is_empty();
         let direct_path = if direct { DirectPath::Present } else { DirectPath::Absent };

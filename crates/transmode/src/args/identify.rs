@@ -30,11 +30,11 @@ pub(crate) struct IdentifyArgs {
     pub(crate) order: Option<OrderAsked>,
 
     /// What sensors read in trim: zero, free (anything), or zero within these standard deviations, one for all sensors or one for each
-    /// [default: zero].
-    #[arg(long, value_name = "zero|free|DEVIATION,..", allow_hyphen_values = true)]
+    /// [default: auto, zero unless the records say otherwise].
+    #[arg(long, value_name = "auto|zero|free|DEVIATION,..", allow_hyphen_values = true)]
     pub(crate) offsets: Option<OffsetsAsked>,
 
-    /// Each sensor drifts by a constant rate in each record.
+    /// Each sensor drifts by a constant rate in each record [default: where the records call for it].
     #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", value_name = "true|false")]
     pub(crate) trend: Option<bool>,
 
@@ -54,6 +54,10 @@ pub(crate) struct IdentifyArgs {
     /// Standard deviation of each sensor's noise, in its unit and in the order of the sensors [default: estimated from the records].
     #[arg(long, value_delimiter = ',', value_name = "LEVEL,..", value_parser = level, allow_hyphen_values = true)]
     pub(crate) noise: Vec<f64>,
+
+    /// White noise alone, without the relative model error that flights show: for simulations of linear systems.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", value_name = "true|false", conflicts_with_all = ["noise", "noise_record"])]
+    pub(crate) white_noise: Option<bool>,
 
     /// A record of the same sensors while nobody moved anything on purpose: its noise, of any colour, is that of the records.
     #[arg(long, value_name = "FILE[:START:END]", value_hint = ValueHint::FilePath, conflicts_with = "noise")]

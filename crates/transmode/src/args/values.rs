@@ -55,6 +55,8 @@ impl FromStr for OrderAsked {
 /// What sensors read in trim.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum OffsetsAsked {
+    /// Zero, unless the records disagree.
+    Auto,
     Zero,
     Free,
     /// Zero on average, with these standard deviations.
@@ -66,6 +68,7 @@ impl FromStr for OffsetsAsked {
 
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
+            "auto" => Ok(Self::Auto),
             "zero" => Ok(Self::Zero),
             "free" => Ok(Self::Free),
             list => list
@@ -74,7 +77,7 @@ impl FromStr for OffsetsAsked {
                 .collect::<Option<_>>()
                 .map(Self::Deviations)
                 .ok_or_else(|| {
-                    "offsets are zero, free, or positive standard deviations separated by commas"
+                    "offsets are auto, zero, free, or positive standard deviations separated by commas"
                         .to_owned()
                 }),
         }

@@ -15,7 +15,7 @@ use crate::error::OptionError;
 
 /// Options that are given together or instead of each other: where the command line has one of them, the file's are not used.
 const TOGETHER: [&[&str]; 3] =
-    [&["files", "window"], &["time", "sample_period"], &["noise", "noise_record"]];
+    [&["files", "window"], &["time", "sample_period"], &["noise", "noise_record", "white_noise"]];
 
 /// A table of options, each key and value with its place in the text.
 type Table = BTreeMap<Spanned<String>, Spanned<Value>>;

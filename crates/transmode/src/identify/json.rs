@@ -2,9 +2,9 @@
 
 mod paper;
 
-use reconstruct::likelihood;
 use reconstruct::likelihood::{Estimate, Hold, SearchStatus};
 use reconstruct::subspace::OrderEvidence;
+use reconstruct::{ComparedOrder, Offsets, Trend, likelihood};
 use serde::Serialize;
 
 use super::outcome::Outcome;
@@ -25,6 +25,9 @@ struct Output<'a> {
     modes: Vec<ModeOutput>,
     noise: Vec<NoiseOutput<'a>>,
     noise_origin: Option<&'static str>,
+    model_error: Option<ModelErrorOutput>,
+    offsets: Option<&'static str>,
+    drift: Option<bool>,
     band_rad_s: Option<[f64; 2]>,
     hold: Option<HoldOutput>,
     goodness: GoodnessOutput,
@@ -33,6 +36,13 @@ struct Output<'a> {
     closest_refused: Option<f64>,
     transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
     warnings: Vec<Warning>,
+}
+
+/// The part of what the sensors read that no linear system explains.
+#[derive(Serialize)]
+struct ModelErrorOutput {
+    value: f64,
+    deviation: f64,
 }
 
 /// How the excitation moves between samples.
@@ -48,6 +58,13 @@ struct OrderOutput {
     asked: bool,
     gap: f64,
     gaps: Vec<GapOutput>,
+    compared: Vec<ComparedOutput>,
+}
+
+#[derive(Serialize)]
+struct ComparedOutput {
+    order: usize,
+    above: f64,
 }
 
 #[derive(Serialize)]
@@ -62,6 +79,7 @@ struct RecordOutput<'a> {
     samples: usize,
     excitation_rank: Option<usize>,
     /// Probability of residuals as little white by chance.
+    chi2_per_dof: Option<f64>,
     whiteness_p_value: Option<f64>,
 }
 
@@ -133,14 +151,25 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
             || solution.map_or(0, |solution| solution.modes.len()),
             |evidence| evidence.order,
         ),
-        order_evidence: result.order().map(order),
+        order_evidence: result.order().map(|evidence| order(evidence, result.compared_orders())),
         sample_period_s: outcome.records.first().map_or(0.0, |record| record.period().seconds()),
         channels: channels(outcome),
         records: records(outcome),
         modes: outcome.found.iter().map(|found| mode(outcome, found)).collect(),
         noise: noise(outcome),
         noise_origin: outcome.noise_origin(),
-        band_rad_s: outcome.options.band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        model_error: fit
+            .and_then(|fit| fit.model_error)
+            .map(|error| ModelErrorOutput { value: error.value, deviation: error.standard_error }),
+        offsets: fit.map(|fit| match fit.options.measurement.offsets {
+            Offsets::Free => "free",
+            Offsets::PriorDeviation(_) => "prior",
+            _ => "zero",
+        }),
+        drift: fit.map(|fit| fit.options.measurement.trend == Trend::Linear),
+        band_rad_s: fit
+            .and_then(|fit| fit.options.band)
+            .map(|band| [band.lowest_rad_s, band.highest_rad_s]),
         hold: fit.map(hold),
         goodness: GoodnessOutput {
             chi2_per_dof: fit.map(|fit| fit.chi_squared.per_degree_of_freedom()),
@@ -157,9 +186,16 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     json::text(&output)
 }
 
-fn order(evidence: &OrderEvidence) -> OrderOutput {
+fn order(evidence: &OrderEvidence, compared: &[ComparedOrder]) -> OrderOutput {
     let gaps = evidence.gaps.iter().map(|&(order, gap)| GapOutput { order, gap });
-    OrderOutput { asked: evidence.asked, gap: evidence.gap, gaps: gaps.collect() }
+    let compared =
+        compared.iter().map(|other| ComparedOutput { order: other.order, above: other.above });
+    OrderOutput {
+        asked: evidence.asked,
+        gap: evidence.gap,
+        gaps: gaps.collect(),
+        compared: compared.collect(),
+    }
 }
 
 fn channels<'a>(outcome: &Outcome<'a>) -> Vec<&'a str> {
@@ -169,10 +205,12 @@ fn channels<'a>(outcome: &Outcome<'a>) -> Vec<&'a str> {
 
 fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
     let (excitations, whiteness) = (outcome.result.excitations(), outcome.result.whiteness());
+    let sizes = outcome.result.fit().map_or(&[][..], |fit| &fit.record_chi_squared);
     let record = |(index, record): (usize, &'a reconstruct::Record)| RecordOutput {
         file: record.name(),
         samples: record.samples(),
         excitation_rank: excitations.get(index).map(|excitation| excitation.rank),
+        chi2_per_dof: sizes.get(index).copied(),
         whiteness_p_value: whiteness.get(index).map(|test| test.p_value),
     };
     outcome.records.iter().enumerate().map(record).collect()

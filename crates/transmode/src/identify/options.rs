@@ -20,7 +20,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
     use MethodName::{AsPrinted, Ml, Subspace};
     const BOTH: &[MethodName] = &[Ml, Subspace];
     let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
-    let known: [(&'static str, bool, &[MethodName]); 14] = [
+    let known: [(&'static str, bool, &[MethodName]); 15] = [
         ("--order", args.order.is_some(), BOTH),
         ("--offsets with deviations", deviations, &[Ml]),
         ("--offsets", args.offsets.is_some(), BOTH),
@@ -29,6 +29,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
         ("--band", args.band.is_some(), &[Ml]),
         ("--feedthrough", !args.feedthrough.is_empty(), BOTH),
         ("--noise", !args.noise.is_empty(), BOTH),
+        ("--white-noise", args.white_noise.is_some(), &[Ml]),
         ("--noise-record", args.noise_record.is_some(), BOTH),
         ("--known-input", !args.known_input.is_empty(), BOTH),
         ("--threads", args.threads.is_some(), &[Ml]),
@@ -69,7 +70,8 @@ pub(super) fn options(
         options.order = OrderChoice::Fixed(order);
     }
     options.measurement.offsets = match &args.offsets {
-        None | Some(OffsetsAsked::Zero) => Offsets::Zero,
+        None | Some(OffsetsAsked::Auto) => Offsets::AsNeeded,
+        Some(OffsetsAsked::Zero) => Offsets::Zero,
         Some(OffsetsAsked::Free) => Offsets::Free,
         Some(OffsetsAsked::Deviations(deviations)) => {
             Offsets::PriorDeviation(match deviations[..] {
@@ -78,9 +80,11 @@ pub(super) fn options(
             })
         }
     };
-    if args.trend == Some(true) {
-        options.measurement.trend = Trend::Linear;
-    }
+    options.measurement.trend = match args.trend {
+        None => Trend::AsNeeded,
+        Some(true) => Trend::Linear,
+        Some(false) => Trend::Absent,
+    };
     options.hold = match args.hold {
         None | Some(HoldAsked::Auto) => None,
         Some(HoldAsked::ZeroOrder) => Some(Hold::ZeroOrder),
@@ -92,6 +96,7 @@ pub(super) fn options(
     options.measurement.feedthrough_sensors = feedthrough(args, record, &sensors)?;
     options.noise = match noise {
         Some(quiet) => NoiseModel::Quiet(quiet),
+        None if args.white_noise == Some(true) => NoiseModel::White,
         None if args.noise.is_empty() => NoiseModel::Estimated,
         None => NoiseModel::Levels(one_each("--noise", &args.noise, &sensors)?),
     };

@@ -48,13 +48,14 @@ impl Outcome<'_> {
         self.flying_qualities.and_then(|case| case.level(&found.named))
     }
 
-    /// How the order used compares with others, `e^57 times as likely as 3, e^9.1 times as likely
-    /// as 5`; empty where no other was fitted.
+    /// How the order used compares with others, `e^57 times more likely than 3, e^9.1 times more
+    /// likely than 5`; empty where no other was fitted.
     pub(crate) fn likelihood_ratios(&self) -> String {
         let ratio = |other: &ComparedOrder| {
             // The criterion is minus twice a logarithm.
-            let exponent = format_significant(other.above / 2.0, 2);
-            format!("e^{exponent} times as likely as {}", other.order)
+            let exponent = format_significant(other.above.abs() / 2.0, 2);
+            let than = if other.above < 0.0 { "less" } else { "more" };
+            format!("e^{exponent} times {than} likely than {}", other.order)
         };
         self.result.compared_orders().iter().map(ratio).collect::<Vec<_>>().join(", ")
     }

@@ -70,8 +70,7 @@ fn judged(
     let under_truth = evaluated(pair, &fit.model, fit.hold)?;
     judged.chi_squared = under_truth.chi_squared.per_degree_of_freedom();
     // The intervals of the real modes from the likelihood itself, where they have an end.
-    let intervals = profile_intervals(&pair.records, fit, &likelihood::Options::default())
-        .map_err(TaskError::computation(PART))?;
+    let intervals = profile_intervals(&pair.records, fit).map_err(TaskError::computation(PART))?;
     for ((mode, covered), truth) in modes.iter().zip(&mut judged.covered).zip(truth.list()) {
         let place = fit.modes.iter().position(|other| other == mode);
         if let Some([low, high]) = place.and_then(|place| intervals[place]) {

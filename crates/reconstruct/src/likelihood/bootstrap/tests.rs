@@ -38,8 +38,7 @@ fn scatter_is_what_the_covariance_says() {
         let options = if estimated { Options::default() } else { given(&levels) };
         let fit = identify(&records, &[model], &options).unwrap();
         let mut normal = Normal::new(5);
-        let found =
-            bootstrap(&records, &fit, &options, REPETITIONS, &mut || normal.next()).unwrap();
+        let found = bootstrap(&records, &fit, REPETITIONS, &mut || normal.next()).unwrap();
         assert_eq!(found.lost, 0);
         for ratio in ratios(&fit, &found) {
             assert!((ratio - 1.0).abs() < tolerance, "{estimated}: {ratio}");
@@ -69,7 +68,7 @@ fn coloured_noise_is_repeated_in_its_colour() {
     let spread = |options: &Options| {
         let fit = identify(&records, std::slice::from_ref(&model), options).unwrap();
         let mut normal = Normal::new(6);
-        let found = bootstrap(&records, &fit, options, 20, &mut || normal.next()).unwrap();
+        let found = bootstrap(&records, &fit, 20, &mut || normal.next()).unwrap();
         found.modes.iter().map(|mode| mode.continuous.real_standard_error()).collect::<Vec<_>>()
     };
     for (x, y) in spread(&coloured).iter().zip(spread(&given(&levels))) {
@@ -84,7 +83,7 @@ fn the_same_numbers_give_the_same_result_and_one_repetition_is_refused() {
     let fit = identify(&records, &[model], &options).unwrap();
     let run = |repetitions| {
         let mut normal = Normal::new(7);
-        bootstrap(&records, &fit, &options, repetitions, &mut || normal.next())
+        bootstrap(&records, &fit, repetitions, &mut || normal.next())
     };
     assert_eq!(run(3).unwrap(), run(3).unwrap());
     assert!(matches!(run(1), Err(ReconstructError::Option { name: "repetitions", .. })));

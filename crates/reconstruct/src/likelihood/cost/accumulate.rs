@@ -18,7 +18,7 @@ use super::spectrum::RecordSpectrum;
 use super::sums::{Sums, TILE, Tile, Totals};
 
 /// Frequencies that one thread sums at a time. A record is cut there whatever the number of threads, so that its sums do not depend on that.
-const SHARE: usize = 512 * TILE;
+pub(crate) const SHARE: usize = 512 * TILE;
 
 /// Which scalars multiply D.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,10 @@
 //! Cost, gradient and Gram matrix of all records at one system, with what each record's known signals explain taken out.
 
+use hankel::Sharing;
 use nalgebra::{DMatrix, DVector};
 use realfft::RealFftPlanner;
 
-use super::accumulate::{Scalars, accumulate};
+use super::accumulate::{SHARE, Scalars, accumulate};
 use super::first_order_hold::FirstOrder;
 use super::noise::floors;
 use super::parameters::{Layout, System};
@@ -37,6 +38,14 @@ struct Eliminated {
     /// (signal, row) of each coefficient.
     cells: Vec<(usize, usize)>,
     rank: usize,
+}
+
+/// The same in coordinates in which the coefficients' own Gram matrix is the identity.
+struct Explained {
+    /// Their descent.
+    own: DVector<f64>,
+    /// Their Gram matrix with the local parameters.
+    mixed: DMatrix<f64>,
 }
 
 /// The likelihood at one system.
@@ -85,6 +94,12 @@ impl Problem {
     pub(crate) fn with_spectra(&self, spectra: Vec<RecordSpectrum>) -> Self {
         let (layout, floors) = (self.layout.clone(), self.floors.clone());
         Self { layout, spectra, threads: self.threads, floors }
+    }
+
+    /// How searches share the threads. Where a record is so long that its sums are shared, one search has them all.
+    pub(crate) fn sharing(&self) -> Sharing {
+        let long = self.spectra.iter().any(|spectrum| spectrum.frequencies() > SHARE);
+        Sharing { threads: if long { 1 } else { self.threads }, least: 1 }
     }
 
     /// Coefficients that explain nothing.
@@ -171,24 +186,17 @@ impl Problem {
                 Scalars::Estimated,
                 false,
             );
-            let mut eliminated = self.eliminate(record, &result.system, &sums, &cells);
-            let own = DVector::from_iterator(
-                eliminated.cells.len(),
-                eliminated.cells.iter().map(|&cell| sums.descent(self.cell(cell))),
-            );
-            let cost = sums.cost - own.dot(&eliminated.best);
+            let (mut eliminated, explained) = self.eliminate(record, &result.system, &sums, &cells);
+            let cost = sums.cost - explained.own.norm_squared();
             // Rounding errors may lie below zero; what is not a number stays none.
             let cost = if cost < 0.0 { 0.0 } else { cost };
             result.cost += cost;
             result.record_costs.push(cost);
-            let known = DMatrix::from_fn(cells.len(), eliminated.cells.len(), |local, k| {
-                sums.gram(cells[local], self.cell(eliminated.cells[k]))
-            });
-            // The best coefficients follow with `response`, so that descent and Gram matrix are those of what is left.
-            let gram = sums.gram_of(&cells) + known * &eliminated.response;
+            // The best coefficients follow the parameters, so that descent and Gram matrix are those of what is left.
+            let gram = sums.gram_of(&cells) - explained.mixed.tr_mul(&explained.mixed);
             let descent =
                 DVector::from_iterator(cells.len(), cells.iter().map(|&cell| sums.descent(cell)))
-                    + eliminated.response.tr_mul(&own);
+                    - explained.mixed.tr_mul(&explained.own);
             let tangent = hold.as_ref().map(|hold| hold.tangent(&result.system, record, layout));
             layout.add(record, tangent.as_ref(), gram, &mut result.gram);
             match &tangent {
@@ -230,7 +238,7 @@ impl Problem {
         system: &System,
         sums: &Sums,
         cells: &[(usize, usize)],
-    ) -> Eliminated {
+    ) -> (Eliminated, Explained) {
         // Directions below this share of the largest one are rounding errors; the squares of singular values are compared.
         const RANK_TOLERANCE: f64 = 1e-12;
         let (own, basis) = self.coefficient_basis(record, system);
@@ -245,24 +253,35 @@ impl Problem {
         let unit = DMatrix::from_fn(reduced.nrows(), reduced.ncols(), |i, k| {
             reduced[(i, k)] * scale[i] * scale[k]
         });
-        let (mut inverse, mut rank) = (DMatrix::zeros(unit.nrows(), unit.ncols()), 0);
+        // F with F' F the inverse. The inverse itself, where an eigenvalue is small, would lose what is small in the other parameters.
+        let mut factor = DMatrix::zeros(0, size);
         if unit.nrows() > 0 {
             let eigen = unit.symmetric_eigen();
             let largest = eigen.eigenvalues.max();
-            for (k, &value) in eigen.eigenvalues.iter().enumerate() {
-                if value > RANK_TOLERANCE * largest {
+            let known = (0..eigen.eigenvalues.len())
+                .filter(|&k| eigen.eigenvalues[k] > RANK_TOLERANCE * largest);
+            let rows: Vec<_> = known
+                .map(|k| {
                     let vector = eigen.eigenvectors.column(k).component_mul(&scale);
-                    inverse += &vector * vector.transpose() / value;
-                    rank += 1;
-                }
+                    (&basis * vector).transpose() / eigen.eigenvalues[k].sqrt()
+                })
+                .collect();
+            if !rows.is_empty() {
+                factor = DMatrix::from_rows(&rows);
             }
         }
-        let inverse = &basis * inverse * basis.transpose();
         let descent =
             DVector::from_iterator(size, own.iter().map(|&cell| sums.descent(self.cell(cell))));
         let mixed =
             DMatrix::from_fn(size, cells.len(), |i, k| sums.gram(self.cell(own[i]), cells[k]));
-        Eliminated { best: &inverse * descent, response: -(inverse * mixed), cells: own, rank }
+        let explained = Explained { own: &factor * descent, mixed: &factor * mixed };
+        let eliminated = Eliminated {
+            best: factor.tr_mul(&explained.own),
+            response: -factor.tr_mul(&explained.mixed),
+            cells: own,
+            rank: factor.nrows(),
+        };
+        (eliminated, explained)
     }
 
     /// The coefficients of one record, and a basis of those combinations that differ from the excitation's own direction. A signal along

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 use crate::Record;
 use crate::likelihood::options::{Noise, Options};
-use crate::model::record::rms;
+use crate::model::record::{centred_rms, rms};
 
 /// Where nothing is known, the noise starts at this part of a sensor's root mean square over all records.
 const FIRST_GUESS: f64 = 0.01;
@@ -55,11 +55,6 @@ pub(crate) fn floors(records: &[Record], units: &[f64], options: &Options) -> Ve
 /// The square of a size, on average over the records.
 fn mean_square(records: &[Record], size: impl Fn(&Record) -> f64) -> f64 {
     records.iter().map(|record| size(record).powi(2)).sum::<f64>() / records.len() as f64
-}
-
-fn centred_rms(values: &[f64]) -> f64 {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    rms(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
 }
 
 /// Variances to start from, in the units of the sensors: 1 for each, which its unit is made for, and a model error of one per cent.

@@ -1,14 +1,16 @@
 //! From the best local optimum to the result: standard errors, tests of fit, the sensors' units.
 
+use std::f64::consts::TAU;
+
 use lti::SamplePeriod;
 use nalgebra::{DMatrix, DVector};
 
-use super::fit::{Fit, Rival};
+use super::fit::{Contrast, Fit, Rival};
 use super::goodness_of_fit::{self, ChiSquared};
 use super::offset_test::offset_test;
-use super::uncertainty::{self, Mode};
+use super::uncertainty::{self, Mode, ModelBias};
 use crate::likelihood::cost::accumulate::Scalars;
-use crate::likelihood::cost::evaluation::Problem;
+use crate::likelihood::cost::evaluation::{Evaluation, Problem};
 use crate::likelihood::cost::first_order_hold::FirstOrder;
 use crate::likelihood::cost::parameters::{Layout, System};
 use crate::likelihood::options::{Noise, Options};
@@ -66,6 +68,7 @@ pub(crate) fn conclude(
             layout.sensors,
         ));
     }
+    let contrasts = contrasts(problem, &evaluation, &variances, degrees_of_freedom);
     let offset_test = if options.measurement.offsets == Offsets::Zero {
         offset_test(problem, &evaluation, &variances, degrees_of_freedom)
     } else {
@@ -74,10 +77,19 @@ pub(crate) fn conclude(
     let parameters = uncertainty::covariance(&evaluation, &noise_part, layout);
     let period = records[0].period();
     let n = layout.order;
+    let longest = records.iter().map(Record::samples).max().unwrap_or(1) as f64;
+    let bias = ModelBias {
+        model_error: variances.get(layout.sensors).map_or(0.0, |square| square.sqrt()),
+        resolution: TAU / (longest * period.seconds()),
+    };
     let states = parameters.matrix.view((0, 0), (n * n, n * n)).into_owned();
-    let modes = uncertainty::modes(&evaluation.system.a, period, &states).map_err(|error| {
-        ReconstructError::Step { step: "modes of the fitted system", message: error.to_string() }
-    })?;
+    let modes =
+        uncertainty::modes(&evaluation.system.a, period, &states, bias).map_err(|error| {
+            ReconstructError::Step {
+                step: "modes of the fitted system",
+                message: error.to_string(),
+            }
+        })?;
     let noise_levels = match options.noise {
         Noise::Spectra(_) => None,
         _ => Some(uncertainty::noise_levels(&evaluation, &variances, units, estimated)),
@@ -101,9 +113,11 @@ pub(crate) fn conclude(
         covariance: in_sensor_units(&covariance, units, &untied),
         model: evaluation.system.model(units, &untied, period),
         feedthrough_sensors: untied.feedthrough,
+        options: Options { hold: Some(layout.hold), ..options.clone() },
         hold: layout.hold,
         hold_evidence,
         criterion,
+        parameters: layout.identifiable() + evaluation.nuisance_rank,
         determined: parameters.determined,
         identifiable: layout.identifiable(),
         noise_levels,
@@ -111,6 +125,7 @@ pub(crate) fn conclude(
         chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),
         record_chi_squared,
         whiteness,
+        contrasts,
         offset_test,
         search,
         starts: reports,
@@ -123,6 +138,31 @@ pub(crate) fn conclude(
             .collect(),
         modes,
     })
+}
+
+/// What it costs that one record takes the direction of another.
+fn contrasts(
+    problem: &Problem,
+    optimum: &Evaluation,
+    variances: &[f64],
+    degrees_of_freedom: f64,
+) -> Vec<Contrast> {
+    let unit = (optimum.cost / degrees_of_freedom).max(f64::MIN_POSITIVE);
+    let rise = |taken: usize, from: usize| {
+        let mut system = optimum.system.clone();
+        system.b[taken] = system.b[from].clone();
+        system.d[taken] = system.d[from].clone();
+        let there = problem.evaluate(system, variances);
+        (there.record_costs[taken] - optimum.record_costs[taken]) / unit
+    };
+    let pairs = (0..problem.layout.records)
+        .flat_map(|second| (0..second).map(move |first| (first, second)));
+    pairs
+        .map(|(first, second)| Contrast {
+            records: [first, second],
+            statistic: rise(first, second).min(rise(second, first)),
+        })
+        .collect()
 }
 
 /// Whether a rival is the same system, which its search came less close to.
@@ -138,7 +178,9 @@ fn is_this(rival: &Rival, modes: &[Mode]) -> bool {
 
 /// `None` where the eigenvalues cannot be computed: then it is not reported.
 fn rival(above: f64, a: &DMatrix<f64>, period: SamplePeriod) -> Option<Rival> {
-    let modes = uncertainty::modes(a, period, &DMatrix::zeros(a.len(), a.len())).ok()?;
+    let modes =
+        uncertainty::modes(a, period, &DMatrix::zeros(a.len(), a.len()), ModelBias::default())
+            .ok()?;
     let eigenvalues = modes.into_iter().map(|mode| mode.continuous.value).collect();
     Some(Rival { above, eigenvalues })
 }

@@ -7,7 +7,8 @@ use super::goodness_of_fit::{ChiSquared, Whiteness};
 use super::offset_test::OffsetTest;
 use super::uncertainty::{Estimate, Mode};
 use crate::SharedModel;
-use crate::likelihood::options::Hold;
+use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::search::hold_selection::PRICE;
 use crate::likelihood::search::report::{SearchReport, StartReport};
 
 /// What the likelihood says about several records.
@@ -24,6 +25,8 @@ pub struct Fit {
     pub modes: Vec<Mode>,
     /// Indices of the sensors with an entry of d_j: those of the options under a zero-order hold, all under a first-order hold.
     pub feedthrough_sensors: Vec<usize>,
+    /// What it was made with: offsets, hold and band as they came out where that was left open.
+    pub options: Options,
     /// How the excitation moves between samples: as in the options, or what is more likely.
     pub hold: Hold,
     /// Minus twice the logarithm of the other hold's likelihood over this one's, with 2 for each number of a record that one of them has more; at most 20
@@ -32,6 +35,8 @@ pub struct Fit {
     /// Minus twice the logarithm of the likelihood, up to a constant of the records and of [`Options::noise`](crate::likelihood::Options::noise), with 2 for each number that was fitted: Akaike's criterion, by
     /// which fits of several orders or under several holds compare.
     pub criterion: f64,
+    /// How many numbers were fitted: those of `identifiable` and the coefficients of known signals that the records determine.
+    pub parameters: usize,
     /// Directions of the parameters that the records determine.
     pub determined: usize,
     /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each free entry of d_j.
@@ -46,6 +51,8 @@ pub struct Fit {
     pub record_chi_squared: Vec<f64>,
     /// Whether the residuals of each record are white.
     pub whiteness: Vec<Whiteness>,
+    /// For each pair of records, how differently they were excited.
+    pub contrasts: Vec<Contrast>,
     /// Whether the sensors read zero in trim; `None` where the options do not say that they do, or frequency zero is not used.
     pub offset_test: Option<OffsetTest>,
     /// How the search ended.
@@ -58,6 +65,26 @@ pub struct Fit {
     pub restarts: usize,
     /// Other local optima that are nearly as likely.
     pub rivals: Vec<Rival>,
+}
+
+impl Fit {
+    /// The criterion with the logarithm of the number of residuals for each number that was fitted instead of 2: Schwarz's, which prefers fewer states.
+    #[must_use]
+    pub fn bayesian_criterion(&self) -> f64 {
+        let parameters = self.parameters as f64;
+        let residuals = self.chi_squared.degrees_of_freedom + parameters;
+        self.criterion + (residuals.ln() - PRICE) * parameters
+    }
+}
+
+/// How differently two records were excited. Where one direction serves both, nothing tells the states from a feedback to the excitation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Contrast {
+    /// The records.
+    pub records: [usize; 2],
+    /// What chi-squared rises by, per unit of its value for a degree of freedom, where one of them takes the direction of the other; the smaller of both ways.
+    pub statistic: f64,
 }
 
 /// Another system that the records allow.

@@ -7,6 +7,7 @@
 //! The excitation is one unknown per frequency, and what the likelihood loses is not exactly chi-squared. Its scale is set where it must agree with the
 //! standard error: close to the optimum.
 
+use hankel::in_order;
 use nalgebra::DMatrix;
 use num_complex::Complex;
 
@@ -14,7 +15,6 @@ use super::fit::Fit;
 use super::refit::{Refit, refit};
 use super::uncertainty::Mode;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
-use crate::likelihood::options::Options;
 use crate::likelihood::search::eigenvalue_penalty::EigenvaluePenalty;
 use crate::likelihood::search::levenberg_marquardt::{Limits, minimise};
 use crate::{ReconstructError, Record};
@@ -66,9 +66,8 @@ const PIN: f64 = 100.0;
 /// first.order = subspace::OrderChoice::Fixed(2);
 /// first.measurement.offsets = Offsets::Zero;
 /// let start = subspace::identify(&records, &first)?.model;
-/// let options = Options::default();
-/// let fit = identify(&records, &[start], &options)?;
-/// let [low, high] = profile_intervals(&records, &fit, &options)?[1].ok_or("no interval")?;
+/// let fit = identify(&records, &[start], &Options::default())?;
+/// let [low, high] = profile_intervals(&records, &fit)?[1].ok_or("no interval")?;
 /// let s = 0.99_f64.ln();
 /// assert!(low < s && s < high);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -76,9 +75,8 @@ const PIN: f64 = 100.0;
 pub fn profile_intervals(
     records: &[Record],
     fit: &Fit,
-    options: &Options,
 ) -> Result<Vec<Option<[f64; 2]>>, ReconstructError> {
-    let Refit { problem, evaluation, variances, units: _ } = refit(records, fit, options)?;
+    let Refit { problem, evaluation, variances, units: _ } = refit(records, fit)?;
     let profile = Profile {
         problem: &problem,
         optimum: evaluation,
@@ -86,7 +84,14 @@ pub fn profile_intervals(
         degrees_of_freedom: fit.chi_squared.degrees_of_freedom,
         period: fit.model.period.seconds(),
     };
-    Ok(fit.modes.iter().map(|mode| profile.interval(mode)).collect())
+    let mut intervals = Vec::with_capacity(fit.modes.len());
+    in_order(
+        &fit.modes,
+        problem.sharing(),
+        |modes| modes.iter().map(|mode| profile.interval(mode)).collect(),
+        |interval| intervals.push(interval),
+    );
+    Ok(intervals)
 }
 
 struct Profile<'a> {

@@ -19,12 +19,8 @@ pub(crate) struct Refit {
     pub(crate) units: Vec<f64>,
 }
 
-pub(crate) fn refit(
-    records: &[Record],
-    fit: &Fit,
-    options: &Options,
-) -> Result<Refit, ReconstructError> {
-    let known = with_known_noise(fit, options);
+pub(crate) fn refit(records: &[Record], fit: &Fit) -> Result<Refit, ReconstructError> {
+    let known = with_known_noise(fit);
     let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
     let units = sensor_units(records, &known);
     let problem = Problem::new(layout, records, &units, &known)?;
@@ -35,12 +31,12 @@ pub(crate) fn refit(
     Ok(Refit { problem, evaluation, variances, units })
 }
 
-/// The options of a fit with noise levels and hold as it knows them.
-fn with_known_noise(fit: &Fit, options: &Options) -> Options {
-    let mut known = Options { hold: Some(fit.hold), ..options.clone() };
+/// The options of a fit with the noise levels as it knows them.
+fn with_known_noise(fit: &Fit) -> Options {
+    let mut known = fit.options.clone();
     let Some(levels) = &fit.noise_levels else { return known };
     let levels = levels.iter().map(|level| level.value).collect();
-    match &options.noise {
+    match &fit.options.noise {
         Noise::Estimated { .. } => known.noise = Noise::Given(levels),
         Noise::ModelError { .. } => known.noise = Noise::ModelError { first_guess: Some(levels) },
         Noise::Given(_) | Noise::Spectra(_) => {}

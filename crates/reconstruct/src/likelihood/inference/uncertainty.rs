@@ -195,11 +195,31 @@ pub struct Mode {
     pub time_constant_interval_95: Option<[f64; 2]>,
 }
 
+/// What a relative model error adds to the uncertainty of modes, which no scatter shows: it is the same at all times.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ModelBias {
+    /// The relative model error, eps; 0 for none.
+    pub(crate) model_error: f64,
+    /// What records can resolve, 2 pi over the length of the longest, in rad/s.
+    pub(crate) resolution: f64,
+}
+
+impl ModelBias {
+    /// The standard deviation of an eigenvalue of this size, in rad/s. A model that is wrong by eps at every frequency has modes that are wrong by a
+    /// few eps of their size; among simulated flights of six aircraft, twice eps leaves 84 to 89 % of the modes within two standard errors, the
+    /// scatter alone 39 to 83 %.
+    fn deviation(self, size: f64) -> f64 {
+        const TIMES: f64 = 2.0;
+        TIMES * self.model_error * size.max(self.resolution)
+    }
+}
+
 /// The modes of A with the covariance of A (its entries by columns).
 pub(crate) fn modes(
     a: &DMatrix<f64>,
     period: SamplePeriod,
     covariance: &DMatrix<f64>,
+    bias: ModelBias,
 ) -> Result<Vec<Mode>, LtiError> {
     let n = a.nrows();
     let system = StateSpace::<Discrete>::new(
@@ -209,14 +229,24 @@ pub(crate) fn modes(
         DMatrix::zeros(0, 0),
         period,
     )?;
-    Ok(system.modes()?.into_iter().map(|mode| estimate(mode, n, period, covariance)).collect())
+    Ok(system
+        .modes()?
+        .into_iter()
+        .map(|mode| estimate(mode, n, period, covariance, bias))
+        .collect())
 }
 
-fn estimate(mode: lti::Mode, n: usize, period: SamplePeriod, covariance: &DMatrix<f64>) -> Mode {
+fn estimate(
+    mode: lti::Mode,
+    n: usize,
+    period: SamplePeriod,
+    covariance: &DMatrix<f64>,
+    bias: ModelBias,
+) -> Mode {
     let z = mode.discrete_eigenvalue.unwrap_or_default();
     // d lambda = w^H dA v with w^H v = 1. A defective eigenvalue moves infinitely fast.
     let usable = mode.condition.is_some_and(f64::is_finite);
-    let discrete = match (&mode.eigenvector, &mode.left_eigenvector) {
+    let mut discrete = match (&mode.eigenvector, &mode.left_eigenvector) {
         (Some(v), Some(w)) if usable => {
             let slopes = DVector::from_fn(n * n, |k, _| w[k % n].conj() * v[k / n]);
             ComplexEstimate::from_slopes(z, &slopes, covariance)
@@ -226,6 +256,9 @@ fn estimate(mode: lti::Mode, n: usize, period: SamplePeriod, covariance: &DMatri
         }
     };
     let s = mode.eigenvalue;
+    // dz = z T ds.
+    let deviation = bias.deviation(s.norm()) * z.norm() * period.seconds();
+    discrete.covariance += Matrix2::from_diagonal_element(deviation * deviation);
     // ds = dz / (z T): a rotation and a stretching of the plane.
     let slope = (z * period.seconds()).inv();
     let turn = Matrix2::new(slope.re, -slope.im, slope.im, slope.re);

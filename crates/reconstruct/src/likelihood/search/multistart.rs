@@ -1,13 +1,15 @@
 //! Multistart over the local optima of the likelihood: from every start to its local optimum, restarts of the best one with its slow modes moved,
 //! and the best few on all frequencies. Where there are many frequencies the first look takes a subset of them (`frequency_subset.rs`).
 
+use hankel::in_order;
+
 use super::eigenvalue_penalty::EigenvaluePenalty;
 use super::frequency_subset::frequency_subset;
 use super::local_search::{
     LocalOptimum, optimise, optimise_from_start, optimise_with_penalty, with_directions,
 };
 use super::report::StartReport;
-use super::slow_mode_restarts;
+use super::slow_mode_restarts::{self, Moved};
 use crate::SharedModel;
 use crate::likelihood::cost::evaluation::Problem;
 use crate::likelihood::cost::parameters::System;
@@ -64,13 +66,18 @@ pub(crate) fn search(
     let finalist = FINALIST * chance;
     let mut optima = Optima::default();
     let mut reports = Vec::with_capacity(starts.len());
-    for (index, start) in starts.iter().enumerate() {
-        let (report, optimum) = optimise_from_start(look, start, units, residuals, first);
-        if let Some(optimum) = optimum {
-            optima.add(Candidate { optimum, start: index });
-        }
-        reports.push(report);
-    }
+    let from = |start: &SharedModel| optimise_from_start(look, start, units, residuals, first);
+    in_order(
+        starts,
+        look.sharing(),
+        |starts| starts.iter().map(from).collect(),
+        |(report, optimum)| {
+            if let Some(optimum) = optimum {
+                optima.add(Candidate { optimum, start: reports.len() });
+            }
+            reports.push(report);
+        },
+    );
     let restarts = if moving {
         restart_from_slow_modes(look, &mut optima, residuals, first, finalist)
     } else {
@@ -122,29 +129,35 @@ fn restart_from_slow_modes(
         let (objective, cost) = (best.optimum.objective, best.optimum.evaluation.cost);
         let (system, variances) =
             (best.optimum.evaluation.system.clone(), best.optimum.variances.clone());
-        for moved in slow_mode_restarts::moved(&system.a, samples) {
+        let restart = |moved: &Moved| {
             let penalty = EigenvaluePenalty {
                 eigenvalue: moved.eigenvalue,
                 weight: (PENALTY * samples).powi(2),
             };
-            let mut system = System { a: moved.a, ..system.clone() };
+            let mut system = System { a: moved.a.clone(), ..system.clone() };
             if options.search.directions == InputDirections::Reestimated {
                 system = with_directions(problem, &system, &variances);
             }
             let evaluation = problem.evaluate(system, &variances);
             let hopeless = HOPELESS * cost;
-            let Some(evaluation) = optimise_with_penalty(
+            let evaluation = optimise_with_penalty(
                 problem, evaluation, &variances, residuals, penalty, hopeless,
-            ) else {
-                continue;
-            };
+            )?;
             let ceiling = Some(objective + finalist);
             let variances = variances.clone();
             let optimum = optimise(problem, evaluation, variances, residuals, options, ceiling);
-            if optimum.objective.is_finite() {
-                optima.add(Candidate { optimum, start });
-            }
-        }
+            optimum.objective.is_finite().then_some(optimum)
+        };
+        in_order(
+            &slow_mode_restarts::moved(&system.a, samples),
+            problem.sharing(),
+            |moved| moved.iter().map(restart).collect(),
+            |optimum| {
+                if let Some(optimum) = optimum {
+                    optima.add(Candidate { optimum, start });
+                }
+            },
+        );
         if optima.0.first().is_none_or(|best| best.optimum.objective >= objective) {
             return round;
         }

@@ -36,7 +36,23 @@ fn offsets_and_trends_are_taken_out() {
     for (distance, deviations) in &misses(&found)[..2] {
         assert!(*distance < 0.05 && *deviations < 4.0, "{distance} {deviations}");
     }
-    let ignored = reconstruct(&shifted, &Options { order, ..Options::default() }).unwrap();
+    // By default they are found.
+    let as_needed = reconstruct(&shifted, &Options { order, ..Options::default() }).unwrap();
+    let used = &as_needed.fit().unwrap().options.measurement;
+    assert_eq!((&used.offsets, used.trend), (&Offsets::Free, Trend::Linear));
+    for (distance, deviations) in &misses(&as_needed)[..2] {
+        assert!(*distance < 0.05 && *deviations < 4.0, "{distance} {deviations}");
+    }
+    let none = Options {
+        order,
+        measurement: Measurement {
+            offsets: Offsets::Zero,
+            trend: Trend::Absent,
+            ..Measurement::default()
+        },
+        ..Options::default()
+    };
+    let ignored = reconstruct(&shifted, &none).unwrap();
     assert!(misses(&ignored)[0].0 > 0.05, "{:?}", misses(&ignored));
 }
 

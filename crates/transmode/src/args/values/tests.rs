@@ -11,6 +11,7 @@ fn orders() {
 
 #[test]
 fn offsets() {
+    assert_eq!("auto".parse(), Ok(OffsetsAsked::Auto));
     assert_eq!("zero".parse(), Ok(OffsetsAsked::Zero));
     assert_eq!("free".parse(), Ok(OffsetsAsked::Free));
     assert_eq!("0.1, 2e-3".parse(), Ok(OffsetsAsked::Deviations(vec![0.1, 2e-3])));

@@ -62,7 +62,7 @@ fn diagrams(input: &Outcome<'_>) -> Vec<Diagram> {
         _ => subspace::identify(&records, &options).ok(),
     };
     let Some(first) = first else { return Vec::new() };
-    if options.noise == NoiseModel::Estimated {
+    if matches!(options.noise, NoiseModel::Estimated | NoiseModel::White) {
         options.noise = NoiseModel::Levels(first.noise.deviations.clone());
     }
     let highest = (first.order.order + ORDERS_ABOVE).max(LEAST_HIGHEST_ORDER);

@@ -1,6 +1,7 @@
 //! What the modes rest on, where noise is reckoned with: order, noise levels, fit.
 
 use reconstruct::likelihood::Hold;
+use reconstruct::{Offsets, Trend};
 use report::format_significant;
 
 use crate::identify::outcome::Outcome;
@@ -15,6 +16,8 @@ pub(super) fn summary(outcome: &Outcome<'_>) -> String {
         order(outcome),
         intervals(outcome),
         noise(outcome),
+        model_error(outcome),
+        sensors(outcome),
         hold(outcome),
         band(outcome),
         fit(outcome),
@@ -86,6 +89,31 @@ fn intervals(outcome: &Outcome<'_>) -> Option<String> {
     (!all.is_empty()).then(|| format!("95 % intervals [1/s]: {}", all.join(", ")))
 }
 
+/// What the noise leaves to a relative model error.
+fn model_error(outcome: &Outcome<'_>) -> Option<String> {
+    let error = outcome.result.fit()?.model_error?;
+    let percent = |value: f64, digits| format_significant(100.0 * value, digits);
+    Some(format!(
+        "model error: {} +- {} % of what the sensors read, beside the noise",
+        percent(error.value, 2),
+        percent(error.standard_error, 2)
+    ))
+}
+
+/// Offsets and drift, where the records called for them.
+fn sensors(outcome: &Outcome<'_>) -> Option<String> {
+    let (asked, used) = (&outcome.options.measurement, &outcome.result.fit()?.options.measurement);
+    let offsets = asked.offsets != used.offsets && used.offsets == Offsets::Free;
+    let drift = asked.trend != used.trend && used.trend == Trend::Linear;
+    let what = match (offsets, drift) {
+        (true, true) => "a constant offset and a constant drift of each sensor",
+        (true, false) => "a constant offset of each sensor",
+        (false, true) => "a constant drift of each sensor",
+        (false, false) => return None,
+    };
+    Some(format!("sensors: {what} estimated for each record"))
+}
+
 /// How the excitation moves between samples, with the evidence where the records told.
 fn hold(outcome: &Outcome<'_>) -> Option<String> {
     // A likelihood ratio of e^3.
@@ -104,7 +132,7 @@ fn hold(outcome: &Outcome<'_>) -> Option<String> {
 }
 
 fn band(outcome: &Outcome<'_>) -> Option<String> {
-    let band = outcome.options.band?;
+    let band = outcome.result.fit()?.options.band?;
     Some(format!(
         "band: {} to {} rad/s",
         format_significant(band.lowest_rad_s, 4),

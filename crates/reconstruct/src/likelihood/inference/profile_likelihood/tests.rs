@@ -4,6 +4,7 @@ use num_complex::Complex;
 
 use super::*;
 use crate::SharedModel;
+use crate::likelihood::Options;
 use crate::likelihood::fixtures::{Disturbance, Normal, QUIET, fly, given, system};
 use crate::likelihood::identify;
 
@@ -35,7 +36,7 @@ fn with_little_noise_it_is_the_symmetric_interval() {
     let flights = fly(&model, &[600, 500], &Disturbance { noise: 1e-3, ..QUIET }, &mut normal);
     for options in [given(&flights.levels), Options::default()] {
         let fit = identify(&flights.records, std::slice::from_ref(&model), &options).unwrap();
-        let found = profile_intervals(&flights.records, &fit, &options).unwrap();
+        let found = profile_intervals(&flights.records, &fit).unwrap();
         let mut real = 0;
         for (mode, interval) in fit.modes.iter().zip(&found) {
             if mode.discrete.value.im > 0.0 {
@@ -83,7 +84,7 @@ fn it_holds_a_slow_mode_as_often_as_it_should() {
         else {
             continue;
         };
-        let Some([low, high]) = profile_intervals(&records, &fit, &options).unwrap()[slow] else {
+        let Some([low, high]) = profile_intervals(&records, &fit).unwrap()[slow] else {
             continue;
         };
         assert!(!low.is_nan() && !high.is_nan());
@@ -109,7 +110,7 @@ fn a_neighbour_does_not_take_the_place_of_a_mode() {
         let flights = fly(&model, &[150, 150], &Disturbance { noise: 0.05, ..QUIET }, &mut normal);
         let options = given(&flights.levels);
         let fit = identify(&flights.records, &[model], &options).unwrap();
-        let found = profile_intervals(&flights.records, &fit, &options).unwrap();
+        let found = profile_intervals(&flights.records, &fit).unwrap();
         for (mode, interval) in fit.modes.iter().zip(found) {
             let Some([low, high]) = interval else { continue };
             told += 1;
@@ -131,7 +132,7 @@ fn an_oscillation_from_sample_to_sample_has_none() {
     let flights = fly(&model, &[300, 300], &Disturbance { noise: 0.01, ..QUIET }, &mut normal);
     let options = given(&flights.levels);
     let fit = identify(&flights.records, &[model], &options).unwrap();
-    let found = profile_intervals(&flights.records, &fit, &options).unwrap();
+    let found = profile_intervals(&flights.records, &fit).unwrap();
     assert_eq!(found[0], None);
     assert!(found[1].is_some());
 }

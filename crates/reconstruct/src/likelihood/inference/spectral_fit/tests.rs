@@ -105,7 +105,7 @@ fn adds_up_with_a_model_error() {
     let flights = fly(&truth, &samples, &disturbance, &mut normal);
     let options = Options { noise: Noise::ModelError { first_guess: None }, ..Options::default() };
     let fit = identify(&flights.records, &[truth], &options).unwrap();
-    let fits = fitted(&flights.records, &fit, &options);
+    let fits = fitted(&flights.records, &fit, &fit.options);
     let (found, expected) = (cost(&fits, &samples), fit.chi_squared.value);
     assert!((found / expected - 1.0).abs() < 1e-6, "{found} and {expected}");
 }

@@ -11,9 +11,10 @@ fn deviations_are_those_of_perturbed_matrices() {
     let vector = DVector::from_column_slice(direction.as_slice());
     let covariance = &vector * vector.transpose();
     let period = SamplePeriod::new(0.1).unwrap();
-    let here = modes(&a, period, &covariance).unwrap();
+    let here = modes(&a, period, &covariance, ModelBias::default()).unwrap();
     let still = DMatrix::zeros(9, 9);
-    let there = |step: f64| modes(&(&a + &direction * step), period, &still).unwrap();
+    let there =
+        |step: f64| modes(&(&a + &direction * step), period, &still, ModelBias::default()).unwrap();
     let (up, down) = (there(STEP), there(-STEP));
     for ((mode, up), down) in here.iter().zip(&up).zip(&down) {
         let check = |deviation: f64, up: f64, down: f64| {
@@ -64,7 +65,9 @@ fn a_time_constant_has_an_interval_unless_it_may_be_infinite() {
     let a = DMatrix::from_element(1, 1, (-0.5_f64).exp());
     let with = |deviation: f64| {
         let variance = (deviation * a[(0, 0)]).powi(2);
-        modes(&a, period, &DMatrix::from_element(1, 1, variance)).unwrap().remove(0)
+        modes(&a, period, &DMatrix::from_element(1, 1, variance), ModelBias::default())
+            .unwrap()
+            .remove(0)
     };
     let [low, high] = with(0.1).time_constant_interval_95.unwrap();
     assert!((low - 1.0 / (0.5 + 0.195_996_398_454_005_4)).abs() < 1e-12);
@@ -77,7 +80,9 @@ fn a_time_constant_has_an_interval_unless_it_may_be_infinite() {
 #[test]
 fn what_is_defective_has_no_deviation() {
     let a = DMatrix::from_row_slice(2, 2, &[0.5, 1.0, 0.0, 0.5]);
-    let found = modes(&a, SamplePeriod::new(1.0).unwrap(), &DMatrix::identity(4, 4)).unwrap();
+    let found =
+        modes(&a, SamplePeriod::new(1.0).unwrap(), &DMatrix::identity(4, 4), ModelBias::default())
+            .unwrap();
     // Either exactly defective, or two eigenvalues that hardly are two.
     assert!(found.iter().all(|mode| mode.continuous.real_standard_error() > 1e5));
 }

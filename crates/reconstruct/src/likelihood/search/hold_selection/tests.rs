@@ -179,7 +179,7 @@ fn a_bootstrap_keeps_the_hold() {
     let options = given(&flights.levels);
     let fit = identify(&flights.records, &starts, &options).unwrap();
     let mut normal = Normal::new(38);
-    let repeated = bootstrap(&flights.records, &fit, &options, 40, &mut || normal.next()).unwrap();
+    let repeated = bootstrap(&flights.records, &fit, 40, &mut || normal.next()).unwrap();
     for (mode, estimate) in repeated.modes.iter().zip(&fit.modes) {
         let [own, fitted] =
             [&mode.continuous, &estimate.continuous].map(|value| value.covariance.trace().sqrt());

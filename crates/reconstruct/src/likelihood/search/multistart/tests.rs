@@ -1,6 +1,7 @@
 use num_complex::Complex;
 
 use super::*;
+use crate::Offsets;
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
 use crate::likelihood::{Noise, identify};
 
@@ -25,6 +26,7 @@ fn slow_modes_are_found_on_the_other_side() {
         }
         let mut options =
             Options { noise: Noise::Given(flights.levels.clone()), ..Options::default() };
+        options.measurement.offsets = Offsets::Zero;
         let moving = identify(&flights.records, std::slice::from_ref(&start), &options).unwrap();
         options.search.max_restarts = 0;
         let still = identify(&flights.records, &[start], &options).unwrap();

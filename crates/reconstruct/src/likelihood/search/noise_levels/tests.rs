@@ -61,7 +61,7 @@ fn a_model_error_is_found_beside_white_noise() {
         assert!(deviations < 4.0, "off by {distance}, {deviations} deviations");
     }
     // What is asked of a finished fit knows of it, too.
-    let [low, high] = profile_intervals(&records, &fit, &options).unwrap()[0].unwrap();
+    let [low, high] = profile_intervals(&records, &fit).unwrap()[0].unwrap();
     let s = 0.6_f64.ln() / model.period.seconds();
     let width = 2.0 * 1.96 * fit.modes[0].continuous.real_standard_error();
     assert!(low < s && s < high, "{low} {high}");

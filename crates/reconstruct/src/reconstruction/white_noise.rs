@@ -1,13 +1,15 @@
-//! The fit, and the number of states where the gaps leave it open: orders that compete are fitted, too, and the likelihood decides.
+//! The fit with white noise or noise that is known, and the number of states where the gaps leave it open: orders that compete are fitted, too, and the
+//! likelihood decides.
 //!
 //! Samples that follow each other quickly, and excitation of few frequencies, make the gap behind the slow modes the smaller one. Disturbances make orders that are too high
 //! more likely, so a higher order is used only if it leaves nothing of the fit to doubt.
 
 use super::doubt::{self, Doubt};
 use super::options::Options;
+use super::result::ComparedOrder;
 use super::starts::{self, FirstStage};
 use crate::likelihood::{Fit, SearchOptions};
-use crate::subspace::{OrderChoice, OrderEvidence, WEAK_GAP};
+use crate::subspace::{OrderEvidence, WEAK_GAP};
 use crate::{ReconstructError, Record, likelihood, subspace};
 
 /// A criterion that is lower by so much decides: a likelihood ratio of e^5.
@@ -20,16 +22,6 @@ const MOST_HIGHER: usize = 2;
 const STEPS: usize = 40;
 const UPDATES: usize = 10;
 
-/// An order that the gaps left open.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct ComparedOrder {
-    /// The number of states.
-    pub order: usize,
-    /// What its criterion lies above that of the order used ([`Fit::criterion`]).
-    pub above: f64,
-}
-
 /// Both stages at one order.
 pub(super) struct Fitted {
     pub(super) stage: FirstStage,
@@ -39,16 +31,16 @@ pub(super) struct Fitted {
     pub(super) compared: Vec<ComparedOrder>,
 }
 
-/// Fits the records, at the order that was asked for or at the one that gaps and likelihood show. The options of the second stage come with it.
+/// Fits the records, at the order that was asked for or at the one that gaps and likelihood show.
 pub(super) fn fitted(
     records: &[Record],
     options: &Options,
-) -> Result<(Fitted, likelihood::Options), ReconstructError> {
-    let stage = starts::first_stage(records, options)?;
-    let second = options.likelihood(records, &stage.intersection)?;
-    let mut found = fit(records, options, &second, stage)?;
+    second: &likelihood::Options,
+    stage: FirstStage,
+) -> Result<Fitted, ReconstructError> {
+    let mut found = fit(records, options, second, stage)?;
     if found.stage.order.asked {
-        return Ok((found, second));
+        return Ok(found);
     }
     let short = likelihood::Options {
         search: SearchOptions {
@@ -82,10 +74,11 @@ pub(super) fn fitted(
             _ => true,
         });
     }
-    Ok((found, second))
+    Ok(found)
 }
 
-fn fit(
+/// The fit at the order of the first stage.
+pub(super) fn fit(
     records: &[Record],
     options: &Options,
     second: &likelihood::Options,
@@ -98,24 +91,15 @@ fn fit(
 }
 
 /// The fit at another order, with the evidence that speaks for and against it.
-fn at_order(
+pub(super) fn at_order(
     records: &[Record],
     options: &Options,
     second: &likelihood::Options,
     evidence: &OrderEvidence,
     order: usize,
 ) -> Result<Fitted, ReconstructError> {
-    let fixed = Options { order: OrderChoice::Fixed(order), ..options.clone() };
-    let stage = starts::first_stage(records, &fixed)?;
-    let evidence = OrderEvidence {
-        order,
-        asked: false,
-        eigenvalues: stage.order.eigenvalues.clone(),
-        gap: starts::gap_of(&evidence.gaps, order),
-        gaps: evidence.gaps.clone(),
-    };
-    let doubts = starts::doubts(&stage.intersection, &evidence);
-    fit(records, options, second, FirstStage { order: evidence, doubts, ..stage })
+    let stage = starts::at_order(records, options, evidence, order)?;
+    fit(records, options, second, stage)
 }
 
 /// The orders that compete: the one with the largest gap and, where the fit is doubtful, higher ones whose gap is some evidence.
@@ -132,7 +116,7 @@ fn open(found: &Fitted) -> Vec<usize> {
 }
 
 /// Whether the fit itself leaves nothing to doubt.
-fn fits(doubts: &[Doubt]) -> bool {
+pub(super) fn fits(doubts: &[Doubt]) -> bool {
     use likelihood::Doubt as OfFit;
     !doubts.iter().any(|doubt| {
         matches!(
@@ -146,4 +130,15 @@ fn fits(doubts: &[Doubt]) -> bool {
             )
         )
     })
+}
+
+/// Whether the gaps leave the order open.
+pub(super) fn is_contested(doubts: &[Doubt]) -> bool {
+    doubts.iter().any(is_about_order)
+}
+
+/// Whether a doubt says that the gaps leave the order open.
+pub(super) fn is_about_order(doubt: &Doubt) -> bool {
+    use subspace::Doubt as OfGaps;
+    matches!(doubt, Doubt::Subspace(OfGaps::WeakOrder { .. } | OfGaps::ContestedOrder { .. }))
 }

@@ -1,0 +1,119 @@
+//! Records that no linear system with white noise explains: a fit with a relative model error, at the order and in the band that the records show.
+//!
+//! Real flights are not quite linear, couple into other motions, and are held between samples in no textbook way. Their misfit follows the signal
+//! ([`Noise::ModelError`]), and with white noise alone every order that fits more of it is more likely than the last. With it the likelihood tells
+//! the order (`orders.rs`), from starts in several signal subspaces (`starts.rs`).
+
+mod orders;
+mod starts;
+
+use std::f64::consts::PI;
+
+use orders::{OrderSearch, Orders};
+use starts::{Subspaces, subspace_options};
+
+use super::options::Options;
+use super::result::ComparedOrder;
+use crate::likelihood::{Fit, FrequencyBand, Noise, SearchOptions};
+use crate::subspace::OrderEvidence;
+use crate::{Measurement, ReconstructError, Record, Trend, likelihood};
+
+/// The fit with a model error.
+pub(super) struct WithModelError {
+    pub(super) fit: Fit,
+    /// Other orders, by Schwarz's criterion.
+    pub(super) compared: Vec<ComparedOrder>,
+}
+
+/// The part of the Nyquist frequency that the choice of the order uses.
+const FIRST_BAND: f64 = 0.25;
+/// The band reaches so many times as high as the fastest mode, but never beyond this part of the Nyquist frequency.
+const TIMES_THE_FASTEST: f64 = 10.0;
+const LARGEST_BAND: f64 = 0.7;
+/// A band that differs from the first one by less than this factor is not worth another fit.
+const SAME_BAND: f64 = 1.25;
+/// A mode whose standard error is below this part of its size says how fast the system is.
+const KNOWN: f64 = 0.1;
+
+/// Fits the records with a relative model error. The levels are those that the signal subspaces show.
+pub(super) fn fitted(
+    records: &[Record],
+    options: &Options,
+    levels: &[f64],
+    evidence: &OrderEvidence,
+) -> Result<WithModelError, ReconstructError> {
+    let nyquist = PI / records[0].period().seconds();
+    let first_band = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: FIRST_BAND * nyquist };
+    let second = likelihood::Options {
+        noise: Noise::ModelError { first_guess: None },
+        measurement: options.measurement.clone(),
+        band: Some(options.band.unwrap_or(first_band)),
+        hold: options.hold,
+        search: SearchOptions { max_restarts: 0, ..options.search.clone() },
+        threads: options.threads,
+    };
+    let all = subspace_options(records, options, levels);
+    let subspaces = Subspaces::new(records, &all, options.threads)?;
+    let (found, second) = with_drift_as_needed(records, options, &subspaces, evidence, second)?;
+    let (start, compared) = found.into_best();
+    let chosen = || {
+        let fastest = fastest(&start)?;
+        let highest = (TIMES_THE_FASTEST * fastest).min(LARGEST_BAND * nyquist);
+        let ratio = highest / first_band.highest_rad_s;
+        let same = (1.0 / SAME_BAND..SAME_BAND).contains(&ratio);
+        Some(if same { first_band } else { FrequencyBand { highest_rad_s: highest, ..first_band } })
+    };
+    let band = Some(options.band.or_else(chosen).unwrap_or(first_band));
+    let second = likelihood::Options { band, ..second };
+    let fit = likelihood::identify(records, std::slice::from_ref(&start.model), &second)?;
+    Ok(WithModelError { fit, compared })
+}
+
+/// The orders that the records show, and the options with the drift of sensors that they call for, where that was left open.
+fn with_drift_as_needed(
+    records: &[Record],
+    options: &Options,
+    subspaces: &Subspaces<'_>,
+    evidence: &OrderEvidence,
+    second: likelihood::Options,
+) -> Result<(Orders, likelihood::Options), ReconstructError> {
+    let with = |trend: Trend| {
+        let measurement = Measurement { trend, ..second.measurement.clone() };
+        likelihood::Options { measurement, ..second.clone() }
+    };
+    let orders = |second: &likelihood::Options| {
+        OrderSearch { records, subspaces, options: second }.run(options.order, evidence)
+    };
+    if options.measurement.trend != Trend::AsNeeded {
+        return Ok((orders(&second)?, second));
+    }
+    let (still, drifting) = (with(Trend::Absent), with(Trend::Linear));
+    let found = orders(&still)?;
+    let search = OrderSearch { records, subspaces, options: &drifting };
+    if calls_for_drift(&found, &search) {
+        return Ok((orders(&drifting)?, drifting));
+    }
+    Ok((found, still))
+}
+
+/// Whether the records are more likely with sensors that drift: at the order found, or at one or two fewer, since states can stand in for drift.
+fn calls_for_drift(found: &Orders, drifting: &OrderSearch<'_>) -> bool {
+    /// A likelihood ratio of e^5.
+    const DECISIVE: f64 = 10.0;
+    const FEWER: usize = 2;
+    let best = found.best();
+    let order = |fit: &Fit| fit.model.a.nrows();
+    let near = |fit: &&Fit| order(fit) <= order(best) && order(fit) + FEWER >= order(best);
+    found.fits.iter().filter(near).any(|fit| {
+        let again = drifting.refined(fit);
+        again.is_ok_and(|again| again.bayesian_criterion() < best.bayesian_criterion() - DECISIVE)
+    })
+}
+
+/// The largest |s| of the modes that the records determine.
+fn fastest(fit: &Fit) -> Option<f64> {
+    let known = fit.modes.iter().filter(|mode| {
+        mode.continuous.covariance.trace().sqrt() < KNOWN * mode.continuous.value.norm()
+    });
+    known.map(|mode| mode.continuous.value.norm()).max_by(f64::total_cmp)
+}

@@ -1,0 +1,77 @@
+//! Where the searches start: signal subspaces for levels as estimated and for equal parts of every sensor, each with three numbers of block rows.
+
+use hankel::{Sharing, in_order};
+
+use crate::model::record::largest_rms;
+use crate::reconstruction::options::Options;
+use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
+
+/// Which number of block rows comes close differs from record to record.
+const PARTS_OF_THE_RULE: [(usize, usize); 3] = [(1, 1), (3, 4), (3, 8)];
+
+/// The noise may have this part of each sensor's root mean square.
+const LEVEL: f64 = 1e-2;
+
+/// Signal subspaces for levels as estimated and for equal parts of every sensor, each with three numbers of block rows. Only the ratios of the levels
+/// matter to a signal subspace.
+pub(super) struct Subspaces<'a>(Vec<subspace::Whitened<'a>>);
+
+/// What the subspaces of one pair of levels and number of block rows are found with.
+pub(super) fn subspace_options(
+    records: &[Record],
+    options: &Options,
+    levels: &[f64],
+) -> Vec<subspace::Options> {
+    let equal = (0..levels.len()).map(|sensor| LEVEL * largest_rms(records, sensor));
+    let own = options.subspace();
+    let with =
+        |levels: Vec<f64>| subspace::Options { noise: NoiseModel::Levels(levels), ..own.clone() };
+    let rule = [with(levels.to_vec()), with(equal.collect())];
+    if own.block_rows.is_some() {
+        return rule.to_vec();
+    }
+    let Ok(rows) = subspace::Whitened::new(records, &rule[0]).map(|found| found.block_rows())
+    else {
+        return rule.to_vec();
+    };
+    let part = |options: &subspace::Options, (part, of): (usize, usize)| subspace::Options {
+        block_rows: Some(rows * part / of),
+        ..options.clone()
+    };
+    rule.iter().flat_map(|options| PARTS_OF_THE_RULE.map(|share| part(options, share))).collect()
+}
+
+impl<'a> Subspaces<'a> {
+    pub(super) fn new(
+        records: &'a [Record],
+        all: &'a [subspace::Options],
+        threads: usize,
+    ) -> Result<Self, ReconstructError> {
+        let (mut found, mut error) = (Vec::with_capacity(all.len()), None);
+        let all: Vec<&'a subspace::Options> = all.iter().collect();
+        in_order(
+            &all,
+            Sharing { threads, least: 1 },
+            |all| all.iter().map(|options| subspace::Whitened::new(records, options)).collect(),
+            |whitened| match whitened {
+                Ok(whitened) => found.push(whitened),
+                Err(other) => error = Some(other),
+            },
+        );
+        match error {
+            Some(error) if found.is_empty() => Err(error),
+            _ => Ok(Self(found)),
+        }
+    }
+
+    pub(super) fn starts(&self, order: usize, threads: usize) -> Vec<SharedModel> {
+        let mut starts = Vec::with_capacity(self.0.len());
+        in_order(
+            &self.0,
+            Sharing { threads, least: 1 },
+            |all| all.iter().map(|subspaces| subspaces.model(order)).collect(),
+            |model| starts.extend(model),
+        );
+        starts
+    }
+}
