@@ -31,6 +31,7 @@
     expect(clippy::float_cmp, reason = "tests compare with exact values where they use ==")
 )]
 
+mod agreement;
 mod assignment;
 pub mod catalog;
 mod derivatives;

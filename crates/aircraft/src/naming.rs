@@ -3,6 +3,7 @@
 use lti::{Continuous, StateSpace};
 use num_complex::Complex;
 
+use crate::assignment::Candidate;
 use crate::shape::{Character, ModeShape};
 use crate::{AircraftError, ModeName, assignment};
 
@@ -50,26 +51,42 @@ pub struct NamedMode {
     pub evidence: Evidence,
 }
 
-/// Names lateral modes by their eigenvectors, or by their eigenvalues where a vector is missing.
+/// Names lateral modes by their eigenvectors and speeds, or by their eigenvalues where a vector is missing.
 ///
-/// With `lambda` the eigenvalue, `s = |lambda beta| / (|lambda beta| + |r + lambda beta|)` and `t = |p| / (|p| + |r|)`:
-/// `r + lambda beta` is the turn rate of the flight path, so that `s` is large where the nose swings about a straight path.
-/// Agreement of a mode with a name:
+/// At most one mode gets each name; there may be more modes than names, since filters, actuators and integrators bring
+/// their own. With `lambda` the eigenvalue,
 ///
-/// | name | kind | agreement |
-/// |---|---|---|
-/// | Dutch roll | pair | `s` |
-/// | coupled roll-spiral | pair | `1 - s` |
-/// | roll subsidence | real | `(1 - s) t` |
-/// | spiral | real | `(1 - s) (1 - t)` |
-/// | Dutch roll, real root | real | `s` |
+/// ```text
+/// s = |lambda beta| / (|lambda beta| + |r + lambda beta|)    nose swings about a straight path
+/// t = |p| / (|p| + |r|)                                      rolls more than it yaws
+/// b = 1 / (1 + (|beta / phi| / 0.2)^2)                       banks without slipping
+/// k = |r + lambda beta| / |phi|                              turn rate per bank angle, about g/U0 (rad/s)
+/// q = |lambda| / w                                           speed, w the frequency of the Dutch roll (rad/s)
+/// ```
 ///
-/// A complete set of four eigenvalues gets the names with the largest sum among those that go together: Dutch roll with
-/// roll subsidence and spiral or with the coupled roll-spiral; two real Dutch-roll roots in place of a pair. In any other set each mode
-/// takes its best name, and the best claim to a name wins. Stability plays no part: an unstable spiral is a spiral.
-/// If any shape is missing, all names come from [`name_eigenvalues`].
+/// where `r + lambda beta` is the turn rate of the flight path, and `phi = p / lambda` unless it is given. Agreement of a
+/// mode with a name, in shape and in speed:
 ///
-/// A pair may be given by both members or by one. Modes come in the order in which they are given.
+/// | name | kind | shape | speed |
+/// |---|---|---|---|
+/// | Dutch roll | pair | `s` | `|Im(lambda)| / |lambda|` |
+/// | coupled roll-spiral | pair | `1 - s` | `1 / (1 + q^2)` |
+/// | roll subsidence | real | `b t` | `1 / (1 + ln(q / 0.8)^2)` |
+/// | spiral | real | `b k / (k + 0.003)` | `1 / (1 + q / 0.3)` |
+/// | Dutch roll, real root | real | `(1 - b) s` | any |
+///
+/// Every assignment has the product of its agreements: a Dutch roll, a roll subsidence and a spiral, with
+///
+/// - 0.1 if the spiral decays faster than the roll subsidence,
+/// - 0.1 for each of the three that no mode bears (0.001 where the modes have four states together),
+/// - a coupled roll-spiral in place of roll subsidence and spiral, times one minus what each real mode has as either,
+/// - two real roots in place of a Dutch roll, where there is no pair at all.
+///
+/// The largest product wins, and what it leaves over is [`ModeName::Unnamed`]. Stability plays no part but in the order of
+/// roll subsidence and spiral: an unstable spiral is a spiral. If any shape is missing, all names come from
+/// [`name_eigenvalues`].
+///
+/// /// A pair may be given by both members or by one. Modes come in the order in which they are given.
 ///
 /// # Errors
 ///
@@ -109,8 +126,16 @@ pub fn name_modes(pairs: &[Eigenpair]) -> Result<Vec<NamedMode>, AircraftError> 
     let Some(characters) = shapes else {
         return Ok(by_eigenvalue(&modes));
     };
-    let kinds: Vec<bool> = modes.iter().map(|mode| is_oscillatory(mode.eigenvalue)).collect();
-    let names = assignment::by_shape(&kinds, &characters);
+    let candidates: Vec<Candidate> = modes
+        .iter()
+        .zip(&characters)
+        .map(|(&Eigenpair { eigenvalue, .. }, &character)| Candidate {
+            eigenvalue,
+            oscillatory: is_oscillatory(eigenvalue),
+            character,
+        })
+        .collect();
+    let names = assignment::by_shape(&candidates);
     Ok(modes
         .iter()
         .zip(characters)

@@ -16,7 +16,7 @@ pub struct ModeShape {
     /// Yaw rate.
     #[doc(alias = "r")]
     pub yaw_rate: Complex<f64>,
-    /// Bank angle, where it is known. It only enters [`ModeShape::bank_to_sideslip`]; without it, `phi = p / lambda`.
+    /// Bank angle, where it is known; without it, `phi = p / lambda`.
     #[doc(alias = "phi")]
     pub bank_angle: Option<Complex<f64>>,
 }
@@ -30,7 +30,17 @@ pub(crate) struct Character {
     pub(crate) roll_fraction: f64,
     /// `|phi| / |beta|`.
     pub(crate) bank_to_sideslip: Option<f64>,
+    /// `|beta| / |phi|`, the bank angle being at least what the turn needs; infinite for sideslip alone.
+    pub(crate) sideslip_to_bank: f64,
+    /// `|r + lambda beta| / |phi|`, rad/s: about `g / U0` in a turn without slipping; infinite without bank.
+    pub(crate) turn_to_bank: f64,
 }
+
+/// The turn rate per bank angle, `g / U0`, of an aircraft so slow (33 m/s) that most are below, rad/s.
+///
+/// From it follows the least bank angle that goes with a turn rate. That keeps `|beta| / |phi|` of a slow spiral defined where
+/// `p` passes through zero: in a climb `phi' = p + r tan(theta)`, and `p / lambda` is not the bank angle.
+const TURN_TO_BANK: f64 = 0.3;
 
 impl ModeShape {
     /// The components of a state vector `[beta, p, r, phi]`.
@@ -83,10 +93,17 @@ impl ModeShape {
             .into_iter()
             .chain(self.bank_angle)
             .any(|value| value.norm() > 0.0);
+        let ratio = |part: f64, of: f64| if part > 0.0 { part / of } else { 0.0 };
+        let bank = self
+            .bank_angle
+            .map_or_else(|| ratio(self.roll_rate.norm(), eigenvalue.norm()), |bank| bank.norm());
+        let turning = path_rate.norm();
         moves.then(|| Character {
-            slip_fraction: fraction(slip_rate.norm(), path_rate.norm()),
+            slip_fraction: fraction(slip_rate.norm(), turning),
             roll_fraction: fraction(self.roll_rate.norm(), self.yaw_rate.norm()),
             bank_to_sideslip: self.bank_to_sideslip(eigenvalue),
+            sideslip_to_bank: ratio(self.sideslip.norm(), bank.max(turning / TURN_TO_BANK)),
+            turn_to_bank: ratio(turning, bank),
         })
     }
 }

@@ -72,7 +72,7 @@ fn an_unstable_spiral_and_an_unstable_dutch_roll_keep_their_names() {
 }
 
 #[test]
-fn a_divergent_spiral_as_fast_as_the_roll_shows_its_doubt() {
+fn a_divergent_spiral_as_fast_as_the_roll_keeps_its_name() {
     // No dihedral, little roll damping, a strong roll due to yaw: both real modes roll more than they turn, 0.71 and 0.68.
     let modes = modes_of(|d| {
         d.l_beta_per_s2 = -0.1;
@@ -84,7 +84,6 @@ fn a_divergent_spiral_as_fast_as_the_roll_shows_its_doubt() {
     assert!(
         (spiral.eigenvalue.re - 0.1623).abs() < 1e-3 && (roll.eigenvalue.re + 0.1911).abs() < 1e-3
     );
-    assert!(agreement(&spiral) < 0.5 && agreement(&roll) > 0.5, "{modes:?}");
 }
 
 #[test]
@@ -198,13 +197,18 @@ fn a_pair_counts_once_however_it_is_given() {
 #[test]
 fn a_mode_of_an_incomplete_set_is_named_by_its_own_shape() {
     let real = |value: f64| complex(value, 0.0);
-    let rolling = |rate: f64| Some(ModeShape::from_sensors(real(0.0), real(rate), real(0.1)));
-    let named = name_modes(&[
-        Eigenpair { eigenvalue: real(-0.5), shape: rolling(1.0) },
-        Eigenpair { eigenvalue: real(-0.7), shape: rolling(2.0) },
-    ])
-    .unwrap();
-    assert_eq!([named[0].name, named[1].name], [Unnamed(WhyUnnamed::BetterClaim), RollSubsidence]);
+    let banking = |rate: f64, yaw_rate: f64| Eigenpair {
+        eigenvalue: real(rate),
+        shape: Some(ModeShape::from_sensors(real(0.0), real(rate), real(yaw_rate))),
+    };
+    let names = |pairs: &[Eigenpair]| -> Vec<ModeName> {
+        name_modes(pairs).unwrap().iter().map(|mode| mode.name).collect()
+    };
+    assert_eq!(names(&[banking(-0.7, 0.05)]), [RollSubsidence]);
+    assert_eq!(names(&[banking(-0.01, 0.05)]), [Spiral]);
+    assert_eq!(names(&[banking(-0.01, 0.05), banking(-0.7, 0.05)]), [Spiral, RollSubsidence]);
+    let third = names(&[banking(-0.01, 0.05), banking(-0.7, 0.05), banking(-30.0, 0.05)]);
+    assert_eq!(third, [Spiral, RollSubsidence, Unnamed(WhyUnnamed::BetterClaim)]);
 
     let still = Some(ModeShape::from_sensors(real(0.0), real(0.0), real(0.0)));
     let named = name_modes(&[Eigenpair { eigenvalue: real(0.0), shape: still }]).unwrap();
@@ -279,4 +283,99 @@ proptest! {
         let expected = complex(yaw_damping / 2.0, (weathercock - yaw_damping * yaw_damping / 4.0).sqrt());
         prop_assert!((find(&modes, DutchRoll).eigenvalue - expected).norm() < 1e-9);
     }
+}
+
+/// Cases of `tests/data/lateral.json` in which another mode is taken for the roll subsidence or the spiral: it rolls or
+/// turns with even less sideslip than theirs, at a speed that fits better.
+const CONFUSED: [&str; 5] = [
+    // A Cub rolls faster than these actuators.
+    "J3Cub, aileron actuator of 5 rad/s",
+    "J3Cub, aileron actuator of 10 rad/s",
+    // The roll subsidence of the A-4 slips, 0.2 rad of sideslip per radian of bank, the filter's mode does not.
+    "A4, yaw damper with a washout of 1 s",
+    // Its spiral, at -0.3 1/s, is faster than the filter and the slow state, which turn alike.
+    "A4, yaw damper with a washout of 4 s",
+    "A4, slow coupling",
+];
+
+/// The aircraft of `tests/data/lateral.json`, each with what brings a fifth mode. A merged roll subsidence has no name.
+#[test]
+fn every_aircraft_has_its_modes_whatever_is_added() {
+    let file: serde_json::Value =
+        serde_json::from_str(include_str!("../../tests/data/lateral.json")).unwrap();
+    let (mut cases, mut confused) = (0, Vec::new());
+    for aircraft in file["aircraft"].as_array().unwrap() {
+        for variant in aircraft["variants"].as_array().unwrap() {
+            let what = |key: &serde_json::Value| key.as_str().unwrap().to_owned();
+            let case = format!("{}, {}", what(&aircraft["name"]), what(&variant["what"]));
+            let a = matrix(&variant["A"]);
+            let real = |key: &str| variant[key].as_f64().map(|rate| complex(rate, 0.0));
+            let part = |index: usize| variant["dutch_roll"][index].as_f64().unwrap();
+            let expected = [
+                (DutchRoll, Some(complex(part(0), part(1)))),
+                (RollSubsidence, real("roll")),
+                (Spiral, real("spiral")),
+            ];
+            let right = [Bank::Measured, Bank::FromRollRate]
+                .map(|bank| has_names(&name_modes(&eigenpairs(&a, bank)).unwrap(), &expected));
+            cases += 1;
+            if right != [true, true] {
+                confused.push(case);
+            }
+        }
+    }
+    assert_eq!(cases, 128);
+    assert_eq!(confused, CONFUSED);
+}
+
+/// Whether these are all the names that are given, each to this eigenvalue.
+fn has_names(modes: &[NamedMode], expected: &[(ModeName, Option<Complex<f64>>)]) -> bool {
+    let named = modes.iter().filter(|mode| !matches!(mode.name, Unnamed(_))).count();
+    let wanted: Vec<(ModeName, Complex<f64>)> =
+        expected.iter().filter_map(|&(name, z)| z.map(|z| (name, z))).collect();
+    let is_there = |&(name, z): &(ModeName, Complex<f64>)| {
+        modes.iter().any(|mode| mode.name == name && (mode.eigenvalue - z).norm() < 1e-7)
+    };
+    named == wanted.len() && wanted.iter().all(is_there)
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Bank {
+    Measured,
+    FromRollRate,
+}
+
+fn matrix(rows: &serde_json::Value) -> DMatrix<f64> {
+    let rows: Vec<Vec<f64>> = serde_json::from_value(rows.clone()).unwrap();
+    DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i][j])
+}
+
+/// Eigenvalues and the first four components of the eigenvectors, without what is rounding beside the fifth.
+fn eigenpairs(a: &DMatrix<f64>, bank: Bank) -> Vec<Eigenpair> {
+    let order = a.nrows();
+    let empty = || DMatrix::zeros(order, 1);
+    let system = StateSpace::<Continuous>::new(
+        a.clone(),
+        empty(),
+        empty().transpose(),
+        DMatrix::zeros(1, 1),
+    );
+    let shape = |v: &nalgebra::DVector<Complex<f64>>| {
+        let rounding = 1e-12 * v.camax();
+        let part = |i: usize| if v[i].norm() > rounding { v[i] } else { complex(0.0, 0.0) };
+        match bank {
+            Bank::Measured => ModeShape::from_state([0, 1, 2, 3].map(part)),
+            Bank::FromRollRate => ModeShape::from_sensors(part(0), part(1), part(2)),
+        }
+    };
+    system
+        .unwrap()
+        .modes()
+        .unwrap()
+        .iter()
+        .map(|mode| Eigenpair {
+            eigenvalue: mode.eigenvalue,
+            shape: mode.eigenvector.as_ref().map(shape),
+        })
+        .collect()
 }
