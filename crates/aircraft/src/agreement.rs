@@ -9,16 +9,19 @@ use ModeName::{CoupledRollSpiral, DutchRoll, DutchRollRealRoot, RollSubsidence, 
 
 /// Sideslip per bank angle at which a real mode is halfway from rolling or turning to slipping.
 ///
-/// Roll and spiral of the aircraft in `tests/data/lateral.json` have 0.08 and less, with a yaw damper up to 0.2; what a
-/// rudder moves by itself (washout filter, actuator) has mostly more than 0.3.
+/// Roll and spiral of the aircraft in `tests/data/lateral.json` have 0.08 and less, with a yaw damper up
+/// to 0.2; what a rudder moves by itself (washout filter, actuator) has mostly more than 0.3.
 const SIDESLIP_TO_BANK: f64 = 0.2;
 
-/// Turn rate per bank angle, `g / U0`, below which no aircraft turns, rad/s: 3300 m/s. A heading integrator and a drifting
-/// gyro come to nearly zero.
+/// Turn rate per bank angle, `g / U0`, below which no aircraft turns, rad/s: 3300 m/s.
+///
+/// A heading integrator and a drifting gyro come to nearly zero.
 const TURN_TO_BANK: f64 = 0.003;
 
-/// Usual ratio of roll rate constant to Dutch-roll frequency: 0.3 to 5 in the aircraft of `tests/data/lateral.json`, with
-/// the median here. At `e` times and a part in `e` of it, a mode is half as likely a roll subsidence.
+/// Usual ratio of roll rate constant to Dutch-roll frequency: the median of the aircraft in
+/// `tests/data/lateral.json`, which have 0.3 to 5.
+///
+/// At `e` times and at a part in `e` of it, a mode is half as likely a roll subsidence.
 const ROLL_SPEED: f64 = 0.8;
 
 /// Speed relative to the Dutch roll at which a real mode is half as likely a spiral as a neutral one.

@@ -25,7 +25,7 @@ const LEVELS: [FlyingQualityLevel; 3] =
 /// of Class III. Its exemption from the minimum frequency, which an authority may grant, is not applied. The standard permits the coupled mode
 /// in Categories B and C only, so in all of Category A it is [`FlyingQualityLevel::Worse`].
 ///
-/// `None` for a mode without a name, and for a stable real root of the Dutch roll, of which the standard says nothing. A divergent one is
+/// `None` for a mode without a name or with a neutral one, and for a stable real root of the Dutch roll, of which the standard says nothing. A divergent one is
 /// [`FlyingQualityLevel::Worse`]. The standard is for piloted aircraft of full size.
 ///
 /// # Example
@@ -81,7 +81,9 @@ pub fn level(
             best(&|level| limits::coupled_rad_s(level, category).is_some_and(|least| -rate > least))
         }
         ModeName::DutchRollRealRoot => (rate > 0.0).then_some(FlyingQualityLevel::Worse),
-        ModeName::Unnamed(_) => None,
+        ModeName::Oscillatory | ModeName::Real | ModeName::Integrator | ModeName::Unnamed(_) => {
+            None
+        }
     }
 }
 

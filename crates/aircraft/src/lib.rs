@@ -8,6 +8,7 @@
 //! | [`LateralModel`] | checked numbers to `A`, `B` and a [`lti::StateSpace`] |
 //! | [`catalog`] | aircraft with their sources |
 //! | [`name_system_modes`], [`name_modes`], [`name_eigenvalues`] | roll subsidence, spiral, Dutch roll and what becomes of them |
+//! | [`name_neutrally`] | oscillatory, real, integrator, for a system that is no aircraft |
 //! | [`level`] | how good the modes are to fly, after MIL-F-8785C |
 //!
 //! Conventions: states are sideslip, roll rate, yaw rate and bank angle, in that order; angles in radians, time in seconds,
@@ -49,5 +50,7 @@ pub use flying_qualities::{
 };
 pub use lateral::{LateralModel, LateralState, SideForceScaling, Surface};
 pub use mode_name::{ModeName, WhyUnnamed};
-pub use naming::{Eigenpair, Evidence, NamedMode, name_eigenvalues, name_modes, name_system_modes};
+pub use naming::{
+    Eigenpair, Evidence, NamedMode, name_eigenvalues, name_modes, name_neutrally, name_system_modes,
+};
 pub use shape::ModeShape;

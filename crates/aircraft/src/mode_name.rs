@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The name of a lateral mode.
+/// The name of a lateral mode, or what is to be said of a mode of another system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ModeName {
@@ -16,6 +16,12 @@ pub enum ModeName {
     CoupledRollSpiral,
     /// One of two real roots into which the Dutch roll has split: sideslip against heading without oscillation.
     DutchRollRealRoot,
+    /// A complex pair of a system that is no aircraft.
+    Oscillatory,
+    /// A real mode of a system that is no aircraft.
+    Real,
+    /// A real mode that hardly changes, of a system that is no aircraft.
+    Integrator,
     /// No name, and why.
     Unnamed(WhyUnnamed),
 }
@@ -33,7 +39,7 @@ pub enum WhyUnnamed {
     },
     /// Two eigenvalues are equal, and nothing else tells their modes apart.
     EqualEigenvalues,
-    /// Another mode fits the name better, and nothing else fits this one.
+    /// Other modes fit the names better, or none fits this one: a filter, an actuator, an integrator, noise.
     BetterClaim,
     /// The eigenvector has neither sideslip, roll, yaw nor bank.
     NoLateralMotion,
@@ -49,6 +55,9 @@ impl fmt::Display for ModeName {
             Self::DutchRoll => "Dutch roll",
             Self::CoupledRollSpiral => "coupled roll-spiral",
             Self::DutchRollRealRoot => "Dutch roll, real root",
+            Self::Oscillatory => "oscillatory",
+            Self::Real => "real",
+            Self::Integrator => "integrator",
             Self::Unnamed(_) => "unnamed",
         })
     }

@@ -64,8 +64,8 @@ pub struct NamedMode {
 /// q = |lambda| / w                                           speed, w the frequency of the Dutch roll (rad/s)
 /// ```
 ///
-/// where `r + lambda beta` is the turn rate of the flight path, and `phi = p / lambda` unless it is given. Agreement of a
-/// mode with a name, in shape and in speed:
+/// where `r + lambda beta` is the turn rate of the flight path, and `phi = p / lambda` unless it is given.
+/// Agreement of a mode with a name, in shape and in speed:
 ///
 /// | name | kind | shape | speed |
 /// |---|---|---|---|
@@ -82,11 +82,11 @@ pub struct NamedMode {
 /// - a coupled roll-spiral in place of roll subsidence and spiral, times one minus what each real mode has as either,
 /// - two real roots in place of a Dutch roll, where there is no pair at all.
 ///
-/// The largest product wins, and what it leaves over is [`ModeName::Unnamed`]. Stability plays no part but in the order of
-/// roll subsidence and spiral: an unstable spiral is a spiral. If any shape is missing, all names come from
-/// [`name_eigenvalues`].
+/// The largest product wins, and what it leaves over is [`ModeName::Unnamed`]. Stability plays no part but in the
+/// order of roll subsidence and spiral: an unstable spiral is a spiral. If any shape is missing, all names come
+/// from [`name_eigenvalues`].
 ///
-/// /// A pair may be given by both members or by one. Modes come in the order in which they are given.
+/// A pair may be given by both members or by one. Modes come in the order in which they are given.
 ///
 /// # Errors
 ///
@@ -180,6 +180,56 @@ pub fn name_eigenvalues(eigenvalues: &[Complex<f64>]) -> Result<Vec<NamedMode>, 
         eigenvalues.iter().map(|&eigenvalue| Eigenpair { eigenvalue, shape: None }).collect();
     name_modes(&pairs)
 }
+
+/// Names the modes of a system that is no aircraft, by the kind of their eigenvalues.
+///
+/// | name | eigenvalue |
+/// |---|---|
+/// | oscillatory | complex pair |
+/// | integrator | real, `|lambda| T <= 0.01`: it changes by one per cent at most in a record of `T` seconds |
+/// | real | any other |
+///
+/// A pair may be given by both members or by one. Modes come in the order in which they are given.
+///
+/// # Errors
+///
+/// An eigenvalue that is not finite, a record that is not of positive length.
+///
+/// # Example
+///
+/// ```
+/// use aircraft::name_neutrally;
+/// use num_complex::Complex;
+///
+/// let found = [Complex::new(-0.07, 1.69), Complex::new(-1e-5, 0.0), Complex::new(-0.546, 0.0)];
+/// let names: Vec<String> = name_neutrally(&found, 60.0)?.iter().map(|mode| mode.name.to_string()).collect();
+/// assert_eq!(names, ["oscillatory", "integrator", "real"]);
+/// # Ok::<(), aircraft::AircraftError>(())
+/// ```
+pub fn name_neutrally(
+    eigenvalues: &[Complex<f64>],
+    record_length_s: f64,
+) -> Result<Vec<NamedMode>, AircraftError> {
+    check_finite("record length", Complex::new(record_length_s, 0.0))?;
+    if record_length_s <= 0.0 {
+        return Err(AircraftError::NotPositive { name: "record length", value: record_length_s });
+    }
+    let mut modes = name_eigenvalues(eigenvalues)?;
+    for mode in &mut modes {
+        mode.name = if is_oscillatory(mode.eigenvalue) {
+            ModeName::Oscillatory
+        } else if mode.eigenvalue.norm() * record_length_s <= INTEGRATOR_CHANGE {
+            ModeName::Integrator
+        } else {
+            ModeName::Real
+        };
+        mode.evidence = Evidence::EigenvaluePattern;
+    }
+    Ok(modes)
+}
+
+/// Relative change over a record that counts as none: less than noise of a hundredth shows.
+const INTEGRATOR_CHANGE: f64 = 0.01;
 
 /// Names the modes of a lateral model whose states are sideslip, roll rate, yaw rate and bank angle.
 ///

@@ -38,8 +38,8 @@ pub(crate) struct Character {
 
 /// The turn rate per bank angle, `g / U0`, of an aircraft so slow (33 m/s) that most are below, rad/s.
 ///
-/// From it follows the least bank angle that goes with a turn rate. That keeps `|beta| / |phi|` of a slow spiral defined where
-/// `p` passes through zero: in a climb `phi' = p + r tan(theta)`, and `p / lambda` is not the bank angle.
+/// From it follows the least bank angle that goes with a turn rate. That keeps `|beta| / |phi|` of a slow spiral
+/// defined where `p` passes through zero: in a climb `phi' = p + r tan(theta)`, and `p / lambda` is not the bank angle.
 const TURN_TO_BANK: f64 = 0.3;
 
 impl ModeShape {

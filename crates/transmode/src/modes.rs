@@ -1,6 +1,6 @@
 //! Eigenvalues and their shapes in the sensors -> modes with names.
 
-use aircraft::{Eigenpair, ModeName, ModeShape, NamedMode, WhyUnnamed, name_modes};
+use aircraft::{Eigenpair, ModeName, ModeShape, NamedMode, WhyUnnamed, name_modes, name_neutrally};
 use num_complex::Complex;
 use reconstruct::{FoundMode, Reconstruction, Record};
 
@@ -48,7 +48,8 @@ fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Names the modes: by their shapes where the channels are called beta, p and r, otherwise by the pattern of the eigenvalues.
+/// Names the modes: by their shapes where the channels are called beta, p and r, by the pattern of the eigenvalues where
+/// only two of beta, p, r and phi are there, and otherwise neutrally, since nothing says that it is an aircraft.
 ///
 /// Complex pairs come once; the fastest mode comes first.
 pub(crate) fn name(
@@ -56,12 +57,21 @@ pub(crate) fn name(
     record: &Record,
 ) -> Result<Vec<IdentifiedMode>, CommandError> {
     let shapes: Vec<_> = result.modes.iter().map(|mode| shape(result, mode)).collect();
+    // A mode that alternates is no motion, and must not take the name of one.
+    let still = ModeShape::from_sensors(Complex::ZERO, Complex::ZERO, Complex::ZERO);
     let pair = |(mode, shape): (&FoundMode, &Vec<Complex<f64>>)| Eigenpair {
         eigenvalue: mode.mode.eigenvalue,
-        shape: lateral_shape(shape, record),
+        shape: lateral_shape(shape, record)
+            .map(|shape| if alternates(mode) { still } else { shape }),
     };
     let pairs: Vec<Eigenpair> = result.modes.iter().zip(&shapes).map(pair).collect();
-    let named = name_modes(&pairs).map_err(|error| CommandError::Reconstruct(error.to_string()))?;
+    let named = if is_of_an_aircraft(record) {
+        name_modes(&pairs)
+    } else {
+        let eigenvalues: Vec<_> = pairs.iter().map(|pair| pair.eigenvalue).collect();
+        name_neutrally(&eigenvalues, record.period().seconds() * record.samples() as f64)
+    };
+    let named = named.map_err(|error| CommandError::Reconstruct(error.to_string()))?;
     let mut found: Vec<IdentifiedMode> = named
         .into_iter()
         .zip(&result.modes)
@@ -77,6 +87,14 @@ pub(crate) fn name(
     let frequency = |found: &IdentifiedMode| found.mode.mode.natural_frequency_rad_s;
     found.sort_by(|a, b| frequency(b).total_cmp(&frequency(a)));
     Ok(found)
+}
+
+/// Whether two channels have the names of lateral sensors.
+fn is_of_an_aircraft(record: &Record) -> bool {
+    let is_lateral = |name: &str| {
+        ["beta", "p", "r", "phi"].iter().any(|sensor| name.eq_ignore_ascii_case(sensor))
+    };
+    record.channels().iter().filter(|channel| is_lateral(&channel.name)).count() >= 2
 }
 
 /// Whether its eigenvalue in z is real and negative: one state, which noise and too high an order make.

@@ -61,6 +61,9 @@ fn mode(found: &IdentifiedMode) -> String {
     let (mode, number) = (&found.mode.mode, |value: f64| format_significant(value, 3));
     let name = match found.named.name {
         ModeName::Unnamed(_) => "a mode without a name".to_owned(),
+        ModeName::Oscillatory => "an oscillatory mode".to_owned(),
+        ModeName::Real => "a real mode".to_owned(),
+        ModeName::Integrator => "an integrator".to_owned(),
         name => name.to_string(),
     };
     if mode.period_s.is_some() {
