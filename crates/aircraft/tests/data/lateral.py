@@ -15,9 +15,8 @@ import sys
 import mpmath as mp
 
 HERE = pathlib.Path(__file__).resolve().parent
-MATLAB = ('Boeing 747 in cruise, from "Yaw Damper Design for a 747 Jet Aircraft", Control System Toolbox (MathWorks); '
-          "Mach 0.8 at 40 000 ft in NASA CR-2144")
-VFW = "VFW 614, lateral model of an exercise in flight control at TU Berlin (github.com/hnamtang/flight-control, homework_1/src/model_lat.m)"
+MATLAB = 'Boeing 747 in cruise, from "Yaw Damper Design for a 747 Jet Aircraft", Control System Toolbox (MathWorks)'
+VFW = "VFW 614, as printed in github.com/hnamtang/flight-control, homework_1/src/model_lat.m"
 JSBSIM = "JSBSim 1.3.3, {}, linearised by central differences at trim"
 PAPER = "the paper's aircraft (aircraft.json, dimensional side force)"
 
