@@ -72,46 +72,84 @@ pub(super) fn doubts(
     fit: &Fit,
     noise: &NoiseModel,
 ) -> Vec<Doubt> {
-    // The second stage has levels and directions of its own, and among disturbances a better idea of what is excited.
-    let quiet = matches!(noise, NoiseModel::Quiet(_));
-    // What the first stage says of order and excitations holds for white noise.
-    let model_error = fit.model_error.is_some();
-    doubts.retain(|doubt| match doubt {
-        Doubt::Subspace(doubt) => match doubt {
-            subspace::Doubt::WeakOrder { .. }
-            | subspace::Doubt::ContestedOrder { .. }
-            | subspace::Doubt::SeveralExcitations { .. }
-            | subspace::Doubt::NoiseNotWhite { .. }
-            | subspace::Doubt::SameExcitation { .. } => !model_error,
-            subspace::Doubt::NoiseNotConverged { .. }
-            | subspace::Doubt::UncertainDirection { .. } => false,
-            subspace::Doubt::HardlyExcited { pole, .. } => {
-                !((quiet || model_error) && is_determined(*pole, fit))
-            }
-            _ => true,
-        },
-        _ => true,
-    });
     if first.noise.origin == NoiseOrigin::Rounding {
+        doubts.retain(|doubt| !is_superseded(doubt, fit, noise));
         // The level was chosen, and what is left are rounding errors.
         doubts.extend(fit.doubts_of_search().into_iter().map(Doubt::Likelihood));
         return doubts;
     }
-    doubts.extend(fit.doubts(records, noise).into_iter().map(Doubt::Likelihood));
-    if let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels) {
-        let ratio = if model_error { LEVEL_RATIO_WITH_MODEL_ERROR } else { LEVEL_RATIO };
-        let channels = records[0].channels().iter();
-        let each = channels.zip(&first.noise.deviations).zip(levels).enumerate();
-        for (index, ((channel, &subspace), level)) in each {
-            let above_floor = || level.value > FAR_ABOVE_THE_FLOOR * largest_rms(records, index);
-            let meant = !model_error || above_floor();
-            if meant && level.value - 3.0 * level.standard_error > ratio * subspace {
-                let (sensor, likelihood) = (channel.name.clone(), level.value);
-                doubts.push(Doubt::LevelsDisagree { sensor, subspace, likelihood });
-            }
-        }
-    }
+    let mut of_fit: Vec<_> =
+        fit.doubts(records, noise).into_iter().map(Doubt::Likelihood).collect();
+    of_fit.extend(disagreeing_levels(records, first, fit));
+    // What the first stage says of order and excitations holds for white noise; beside a model error it explains what is doubtful anyway.
+    let explained = fit.model_error.is_some() && !of_fit.iter().any(is_of_much_unexplained);
+    doubts.retain(|doubt| {
+        !is_superseded(doubt, fit, noise) && !(explained && is_of_white_noise(doubt))
+    });
+    doubts.extend(of_fit);
     doubts
+}
+
+/// Whether the second stage knows better: it has levels and directions of its own, and among disturbances a better idea of what is excited.
+fn is_superseded(doubt: &Doubt, fit: &Fit, noise: &NoiseModel) -> bool {
+    let Doubt::Subspace(doubt) = doubt else { return false };
+    let disturbed = matches!(noise, NoiseModel::Quiet(_)) || fit.model_error.is_some();
+    match doubt {
+        subspace::Doubt::NoiseNotConverged { .. } | subspace::Doubt::UncertainDirection { .. } => {
+            true
+        }
+        subspace::Doubt::HardlyExcited { pole, .. } => disturbed && is_determined(*pole, fit),
+        _ => false,
+    }
+}
+
+/// Whether a doubt of the first stage rests on noise that is white.
+fn is_of_white_noise(doubt: &Doubt) -> bool {
+    matches!(
+        doubt,
+        Doubt::Subspace(
+            subspace::Doubt::WeakOrder { .. }
+                | subspace::Doubt::ContestedOrder { .. }
+                | subspace::Doubt::SeveralExcitations { .. }
+                | subspace::Doubt::NoExcitation { .. }
+                | subspace::Doubt::NoiseNotWhite { .. }
+                | subspace::Doubt::SameExcitation { .. }
+        )
+    )
+}
+
+/// Whether a doubt says that one linear system under one excitation in each record leaves much over.
+fn is_of_much_unexplained(doubt: &Doubt) -> bool {
+    use likelihood::Doubt as OfFit;
+    matches!(
+        doubt,
+        Doubt::LevelsDisagree { .. }
+            | Doubt::Likelihood(OfFit::LargeModelError { .. } | OfFit::SameDirection { .. })
+    )
+}
+
+/// Sensors of which the likelihood needs far more noise than the signal subspaces show.
+fn disagreeing_levels(records: &[Record], first: &Intersection, fit: &Fit) -> Vec<Doubt> {
+    let (NoiseOrigin::Estimated { .. }, Some(levels)) = (first.noise.origin, &fit.noise_levels)
+    else {
+        return Vec::new();
+    };
+    let model_error = fit.model_error.is_some();
+    let ratio = if model_error { LEVEL_RATIO_WITH_MODEL_ERROR } else { LEVEL_RATIO };
+    let channels = records[0].channels().iter();
+    let each = channels.zip(&first.noise.deviations).zip(levels).enumerate();
+    let disagree = each.filter(|(index, ((_, subspace), level))| {
+        let above_floor = || level.value > FAR_ABOVE_THE_FLOOR * largest_rms(records, *index);
+        (!model_error || above_floor())
+            && level.value - 3.0 * level.standard_error > ratio * **subspace
+    });
+    disagree
+        .map(|(_, ((channel, &subspace), level))| Doubt::LevelsDisagree {
+            sensor: channel.name.clone(),
+            subspace,
+            likelihood: level.value,
+        })
+        .collect()
 }
 
 /// A mode whose deviation is below this part of its size is excited enough.

@@ -2,7 +2,7 @@
 
 use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, NamedMode, level};
 use reconstruct::subspace::NoiseOrigin;
-use reconstruct::{ComparedOrder, Doubt, Options, Reconstruction, Record, subspace};
+use reconstruct::{ComparedOrder, Doubt, Options, Reconstruction, Record, likelihood, subspace};
 use report::format_significant;
 
 use crate::args::values::MethodName;
@@ -84,7 +84,9 @@ impl Outcome<'_> {
 ///
 /// That is what they are taken for: the records that count are the whole ones, and of these there are enough.
 pub(super) fn is_of_one_excitation(doubt: &Doubt, records: &[Record], sources: &[Source]) -> bool {
-    let Doubt::Subspace(subspace::Doubt::SameExcitation { first, second, .. }) = doubt else {
+    let (Doubt::Subspace(subspace::Doubt::SameExcitation { first, second, .. })
+    | Doubt::Likelihood(likelihood::Doubt::SameDirection { first, second, .. })) = doubt
+    else {
         return false;
     };
     let whole = |name: &String| {

@@ -164,8 +164,11 @@ fn explains_enough(fits: &[Fit], records: &[Record]) -> Option<usize> {
 fn keeps_modes(fit: &Fit, other: &Fit, slowest: f64) -> bool {
     /// Part of |s|.
     const UNMOVED: f64 = 5e-3;
+    /// A mode is as good as unmoved within its standard error, but one that is hardly known stands for nothing.
+    const HARDLY_KNOWN: f64 = 5e-2;
     fit.modes.iter().map(|mode| &mode.continuous).filter(|s| s.value.norm() > slowest).all(|s| {
-        let unmoved = (UNMOVED * s.value.norm()).max(s.covariance.trace().sqrt());
+        let unmoved = (UNMOVED * s.value.norm())
+            .max(s.covariance.trace().sqrt().min(HARDLY_KNOWN * s.value.norm()));
         other.modes.iter().any(|mode| (mode.continuous.value - s.value).norm() < unmoved)
     })
 }

@@ -7,6 +7,9 @@ use report::format_significant;
 use crate::identify::outcome::Outcome;
 use crate::modes::IdentifiedMode;
 
+/// The least model error, 0.1 %, but for the last update.
+const AT_THE_FLOOR: f64 = 1.01e-3;
+
 /// How many other orders are named.
 const NAMED: usize = 4;
 
@@ -93,6 +96,9 @@ fn intervals(outcome: &Outcome<'_>) -> Option<String> {
 fn model_error(outcome: &Outcome<'_>) -> Option<String> {
     let error = outcome.result.fit()?.model_error?;
     let percent = |value: f64, digits| format_significant(100.0 * value, digits);
+    if error.value < AT_THE_FLOOR {
+        return Some("model error: 0.1 % of what the sensors read, the least that is assumed beside the noise".to_owned());
+    }
     Some(format!(
         "model error: {} +- {} % of what the sensors read, beside the noise",
         percent(error.value, 2),
