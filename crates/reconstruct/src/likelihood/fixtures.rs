@@ -6,6 +6,7 @@ use num_complex::Complex;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+use realfft::RealFftPlanner;
 
 use super::{Fit, Noise, Options};
 use crate::{Channel, Record, SharedModel};
@@ -175,4 +176,26 @@ pub(crate) fn misses(fit: &Fit, eigenvalues: &[Complex<f64>]) -> Vec<(f64, f64)>
             (distance(&mode), distance(&mode) / deviation)
         })
         .collect()
+}
+
+/// The record with each frequency of each sensor off by a random part of what it is, of this size.
+pub(crate) fn with_model_error(record: &Record, size: f64, normal: &mut Normal) -> Record {
+    let samples = record.samples();
+    let mut planner = RealFftPlanner::new();
+    let (there, back) = (planner.plan_fft_forward(samples), planner.plan_fft_inverse(samples));
+    let channels = record.channels().iter().map(|channel| {
+        let (mut input, mut spectrum) = (channel.values.clone(), there.make_output_vec());
+        there.process(&mut input, &mut spectrum).unwrap();
+        let last = spectrum.len() - 1;
+        for (k, value) in spectrum.iter_mut().enumerate() {
+            let real = k == 0 || (k == last && samples.is_multiple_of(2));
+            let imaginary = if real { 0.0 } else { normal.next() };
+            let scale = if real { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
+            *value *= Complex::new(1.0 + scale * size * normal.next(), scale * size * imaginary);
+        }
+        back.process(&mut spectrum, &mut input).unwrap();
+        let values = input.iter().map(|value| value / samples as f64).collect();
+        Channel::new(channel.name.clone(), values)
+    });
+    Record::new(record.name(), record.period(), channels.collect()).unwrap()
 }

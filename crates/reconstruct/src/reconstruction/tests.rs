@@ -1,5 +1,6 @@
 mod doubts;
 mod flights;
+mod nonlinear;
 mod options;
 mod planted;
 

@@ -53,3 +53,6 @@ pub fn model_error_test(records: &[Record], fit: &Fit) -> Result<ModelErrorTest,
         variance: score / information,
     })
 }
+
+#[cfg(test)]
+mod tests;

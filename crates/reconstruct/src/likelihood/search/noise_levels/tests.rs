@@ -1,9 +1,8 @@
 use num_complex::Complex;
-use realfft::RealFftPlanner;
 
-use crate::likelihood::fixtures::{Disturbance, Normal, fly, misses, system};
+use crate::Record;
+use crate::likelihood::fixtures::{Disturbance, Normal, fly, misses, system, with_model_error};
 use crate::likelihood::{Noise, Options, identify, profile_intervals};
-use crate::{Channel, Record};
 
 #[test]
 fn noise_free_records_send_the_levels_down_without_breaking() {
@@ -16,28 +15,6 @@ fn noise_free_records_send_the_levels_down_without_breaking() {
         assert!(level.value.is_finite() && level.value < 1e-9, "{}", level.value);
     }
     assert!((fit.modes[0].discrete.value - Complex::new(0.5, 0.3)).norm() < 1e-9);
-}
-
-/// The record with each frequency of each sensor off by a random part of what it is, of this size.
-fn with_model_error(record: &Record, size: f64, normal: &mut Normal) -> Record {
-    let samples = record.samples();
-    let mut planner = RealFftPlanner::new();
-    let (there, back) = (planner.plan_fft_forward(samples), planner.plan_fft_inverse(samples));
-    let channels = record.channels().iter().map(|channel| {
-        let (mut input, mut spectrum) = (channel.values.clone(), there.make_output_vec());
-        there.process(&mut input, &mut spectrum).unwrap();
-        let last = spectrum.len() - 1;
-        for (k, value) in spectrum.iter_mut().enumerate() {
-            let real = k == 0 || (k == last && samples.is_multiple_of(2));
-            let imaginary = if real { 0.0 } else { normal.next() };
-            let scale = if real { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 };
-            *value *= Complex::new(1.0 + scale * size * normal.next(), scale * size * imaginary);
-        }
-        back.process(&mut spectrum, &mut input).unwrap();
-        let values = input.iter().map(|value| value / samples as f64).collect();
-        Channel::new(channel.name.clone(), values)
-    });
-    Record::new(record.name(), record.period(), channels.collect()).unwrap()
 }
 
 #[test]
