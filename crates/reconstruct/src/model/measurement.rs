@@ -8,7 +8,7 @@ use crate::{ReconstructError, Record};
 #[non_exhaustive]
 pub enum Offsets {
     /// Zero unless the records say otherwise: a fit that takes them as zero is followed by one that leaves them free where frequency zero disagrees with all
-    /// others, with a probability below 1e-4 by chance. With a relative model error they are free.
+    /// others, with a probability below 1e-4 by chance. With a relative model error they are free. Signal subspaces alone take them as zero.
     AsNeeded,
     /// The sensors read zero in trim.
     Zero,

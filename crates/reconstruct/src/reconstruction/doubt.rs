@@ -84,7 +84,8 @@ pub(super) fn doubts(
     // What the first stage says of order and excitations holds for white noise; beside a model error it explains what is doubtful anyway.
     let explained = fit.model_error.is_some() && !of_fit.iter().any(is_of_much_unexplained);
     doubts.retain(|doubt| {
-        !is_superseded(doubt, fit, noise) && !(explained && is_of_white_noise(doubt))
+        let explained = explained && is_of_white_noise(doubt);
+        !explained && !is_superseded(doubt, fit, noise)
     });
     doubts.extend(of_fit);
     doubts

@@ -69,8 +69,27 @@ pub(super) fn fitted(records: &[Record], options: &Options) -> Result<Fitted, Re
     Ok(Fitted { stage, fit, doubts, compared })
 }
 
-/// Whether a short search with white noise, from this start, leaves residuals that do not follow the signal.
+/// Whether a short search with white noise, from this start, leaves residuals that do not follow the signal, under one hold or the other.
 fn is_white(
+    records: &[Record],
+    start: &SharedModel,
+    levels: &[f64],
+    second: &likelihood::Options,
+) -> Result<bool, ReconstructError> {
+    let holds = match second.hold {
+        Some(hold) => vec![hold],
+        None => vec![Hold::ZeroOrder, Hold::FirstOrder],
+    };
+    for hold in holds {
+        if is_white_under(hold, records, start, levels, second)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+fn is_white_under(
+    hold: Hold,
     records: &[Record],
     start: &SharedModel,
     levels: &[f64],
@@ -82,7 +101,7 @@ fn is_white(
     const COLLAPSED: f64 = 0.1;
     const TOLERANCE: f64 = 0.1;
     let short = likelihood::Options {
-        hold: Some(second.hold.unwrap_or(Hold::ZeroOrder)),
+        hold: Some(hold),
         search: SearchOptions {
             max_steps: second.search.max_steps.min(STEPS),
             max_noise_updates: second.search.max_noise_updates.min(UPDATES),

@@ -4,7 +4,9 @@ use crate::likelihood::{FrequencyBand, Hold, Noise, SearchOptions};
 use crate::model::record::rms;
 use crate::model::{AutoregressionOrder, VectorAutoregression};
 use crate::subspace::{Intersection, NoiseOrigin, OrderChoice};
-use crate::{Measurement, NoiseModel, ReconstructError, Record, likelihood, paper, subspace};
+use crate::{
+    Measurement, NoiseModel, Offsets, ReconstructError, Record, likelihood, paper, subspace,
+};
 
 /// How to reconstruct.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,6 +100,15 @@ impl Options {
             noise: self.noise.clone(),
             measurement: self.measurement.clone(),
         }
+    }
+
+    /// The same for the first stage alone, which cannot tell whether offsets are needed: they are zero.
+    pub(super) fn without_offsets_as_needed(&self) -> Self {
+        let mut options = self.clone();
+        if options.measurement.offsets == Offsets::AsNeeded {
+            options.measurement.offsets = Offsets::Zero;
+        }
+        options
     }
 
     /// The options of the second stage, after the first.

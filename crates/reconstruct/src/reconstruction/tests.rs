@@ -74,6 +74,7 @@ fn each_method_can_be_chosen() {
     assert!(!reconstruct(&noisy, &options).unwrap().doubts.is_empty());
 
     options.method = Method::Subspace;
+    options.measurement.offsets = crate::Offsets::Free;
     let subspace = reconstruct(&noisy, &options).unwrap();
     assert!(matches!(subspace.details, Details::Subspace { .. }) && subspace.fit().is_none());
     assert_eq!(subspace.modes.len(), 3);
