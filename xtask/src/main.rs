@@ -1,5 +1,5 @@
-//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise and
-//! disturbances, keep the tree tidy.
+//! The project's own tasks: reproduce the paper, measure speed and accuracy, study noise,
+//! disturbances and flights in a simulator, keep the tree tidy.
 
 mod bench;
 mod error;

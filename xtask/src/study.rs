@@ -2,7 +2,7 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `noise.rs`, `disturbance.rs` | the studies: what is varied, how records are made, what is asked of the methods, what is written |
+//! | `noise.rs`, `disturbance.rs`, `simulator.rs` | the studies: what is varied, where records come from, what is asked of the methods, what is written |
 //! | `definition.rs` | what a study provides |
 //! | `campaign.rs`, `kept_runs.rs` | how a study gets from the command line through all runs to a page |
 //! | `fit.rs`, `statistics.rs` | how far off one fit is and what it states about itself; what many say together |
@@ -15,6 +15,7 @@ mod fit;
 mod kept_runs;
 mod noise;
 mod sections;
+mod simulator;
 mod statistics;
 
 use std::io::Write;
@@ -23,9 +24,10 @@ use std::path::Path;
 use clap::Subcommand;
 
 use crate::TaskError;
-use campaign::{Extent, carry_out};
+use campaign::{Extent, SeededExtent, carry_out};
 use disturbance::DisturbanceStudy;
 use noise::NoiseStudy;
+use simulator::SimulatorStudy;
 
 /// Try the methods on many records.
 #[derive(Debug, clap::Args)]
@@ -39,15 +41,23 @@ pub(crate) struct Args {
 enum Which {
     /// Errors, deviations and coverage of each method, for four excitations and four levels of
     /// noise.
-    Noise(Extent),
+    Noise(SeededExtent),
     /// Errors, fit, coverage and doubts in gusts of four strengths, with and without a quiet
     /// record.
-    Disturbance(Extent),
+    Disturbance(SeededExtent),
+    /// Errors, scores and doubts on flights of six aircraft in a nonlinear simulator, beside its
+    /// linearised truth.
+    Simulator(Extent),
 }
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {
     match &args.study {
-        Which::Noise(extent) => carry_out::<NoiseStudy>(root, extent, out),
-        Which::Disturbance(extent) => carry_out::<DisturbanceStudy>(root, extent, out),
+        Which::Noise(SeededExtent { seeds, extent }) => {
+            carry_out::<NoiseStudy>(root, extent, *seeds, out)
+        }
+        Which::Disturbance(SeededExtent { seeds, extent }) => {
+            carry_out::<DisturbanceStudy>(root, extent, *seeds, out)
+        }
+        Which::Simulator(extent) => carry_out::<SimulatorStudy>(root, extent, None, out),
     }
 }

@@ -13,14 +13,9 @@ use crate::shared::parallel::{all_cores, progress};
 /// How much of a study to do, and where it goes.
 #[derive(Debug, clap::Args)]
 pub(super) struct Extent {
-    /// A few seeds only, and all of them anew: whether everything runs.
-    #[arg(long, conflicts_with_all = ["seeds", "update"])]
+    /// A few runs only, and all of them anew: whether everything runs.
+    #[arg(long, conflicts_with = "update")]
     quick: bool,
-
-    /// Pairs of records of each kind; more seeds go on where fewer ended [default: those of the
-    /// study's page under docs].
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=100_000))]
-    seeds: Option<u64>,
 
     /// Threads; the result does not depend on them [default: all cores].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -36,9 +31,26 @@ pub(super) struct Extent {
     update: bool,
 }
 
+/// The same of a study that makes its records anew with every seed.
+#[derive(Debug, clap::Args)]
+pub(super) struct SeededExtent {
+    /// Pairs of records of each kind; more seeds go on where fewer ended [default: those of the
+    /// study's page under docs].
+    #[arg(long, conflicts_with = "quick", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    pub(super) seeds: Option<u64>,
+
+    #[command(flatten)]
+    pub(super) extent: Extent,
+}
+
 impl Extent {
-    fn seeds<S: Study>(&self) -> u64 {
-        if self.quick { S::QUICK_SEEDS } else { self.seeds.unwrap_or(S::SEEDS) }
+    /// Runs of each kind, where so many seeds were asked for.
+    fn seeds<S: Study>(&self, asked: Option<u64>) -> u64 {
+        match S::SEEDS {
+            Some(seeds) if self.quick => seeds.quick,
+            Some(seeds) => asked.unwrap_or(seeds.page),
+            None => 1,
+        }
     }
 
     fn threads(&self) -> usize {
@@ -51,26 +63,27 @@ impl Extent {
     }
 
     /// The command that makes the same document.
-    fn command<S: Study>(&self) -> String {
-        let seeds = if self.quick {
-            " --quick".to_owned()
-        } else {
-            format!(" --seeds {}", self.seeds::<S>())
+    fn command<S: Study>(&self, seeds: u64) -> String {
+        let extent = match S::SEEDS {
+            _ if self.quick => " --quick".to_owned(),
+            Some(_) => format!(" --seeds {seeds}"),
+            None => String::new(),
         };
         let update = if self.update { " --update" } else { "" };
-        format!("cargo xtask study {}{seeds}{update}", S::NAME)
+        format!("cargo xtask study {}{extent}{update}", S::NAME)
     }
 }
 
-/// Runs what is not there yet and writes the page.
+/// Runs what is not there yet and writes the page. `seeds` is what was asked for, if anything.
 pub(super) fn carry_out<S: Study>(
     root: &Path,
     extent: &Extent,
+    seeds: Option<u64>,
     out: &mut dyn Write,
 ) -> Result<(), TaskError> {
     let folder = extent.out.clone().unwrap_or_else(|| root.join("target/study"));
     std::fs::create_dir_all(&folder).map_err(|source| TaskError::io(&folder, source))?;
-    let seeds = extent.seeds::<S>();
+    let seeds = extent.seeds::<S>(seeds);
     let lines = extent.file::<S>();
     let file = folder.join(&lines);
     if extent.quick && file.exists() {
@@ -78,9 +91,10 @@ pub(super) fn carry_out<S: Study>(
     }
     let study = S::new()?;
     let bar = progress(0, "{elapsed} left {eta}");
-    let runs = kept_runs::collect(&study, seeds, &file, extent.threads(), &bar)?;
+    let kinds = if extent.quick { study.quick_kinds() } else { study.kinds() };
+    let runs = kept_runs::collect(&study, kinds, seeds, &file, extent.threads(), &bar)?;
     bar.finish_and_clear();
-    let document = study.document(&runs, seeds, &extent.command::<S>())?;
+    let document = study.document(&runs, seeds, &extent.command::<S>(seeds))?;
     let (name, command) =
         (format!("study-{}.md", S::NAME), format!("cargo xtask study {} --update", S::NAME));
     let page = Page { file: &name, command: &command, document: &document };

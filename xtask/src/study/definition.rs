@@ -16,10 +16,9 @@ pub(super) trait Study: Sized + Sync {
     const NAME: &'static str;
     /// Changes whenever the records or the methods change, so that no page mixes old and new runs.
     const EDITION: u32;
-    /// Seeds of each kind of record in the page under docs.
-    const SEEDS: u64;
-    /// Seeds with `--quick`.
-    const QUICK_SEEDS: u64;
+    /// How often each kind of record is made anew; `None` where the records are given, so that each
+    /// kind has one run.
+    const SEEDS: Option<Seeds>;
     /// A kind of record: all that is varied but the seed. In JSON an object, without a field
     /// `seed`.
     type Kind: Copy + PartialEq + Send + Sync + Serialize + DeserializeOwned;
@@ -32,6 +31,11 @@ pub(super) trait Study: Sized + Sync {
     /// All kinds, in the order of the document.
     fn kinds(&self) -> Vec<Self::Kind>;
 
+    /// Those of `--quick`: all, where a few seeds of each don't take long.
+    fn quick_kinds(&self) -> Vec<Self::Kind> {
+        self.kinds()
+    }
+
     /// One run, which depends on nothing but its kind and its seed.
     fn run(&self, kind: Self::Kind, seed: u64) -> Result<Self::Outcome, TaskError>;
 
@@ -39,6 +43,15 @@ pub(super) trait Study: Sized + Sync {
     /// documents have in common.
     fn document(&self, runs: &Runs<Self>, seeds: u64, command: &str)
     -> Result<Document, TaskError>;
+}
+
+/// How many seeds each kind of record has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seeds {
+    /// In the page under docs.
+    pub(super) page: u64,
+    /// With `--quick`.
+    pub(super) quick: u64,
 }
 
 /// All kinds of a study with the outcomes of their runs.

@@ -14,7 +14,7 @@ mod turbulence;
 use num_complex::Complex;
 use report::Document;
 
-use super::definition::{Runs, Study};
+use super::definition::{Runs, Seeds, Study};
 use super::sections::sections;
 use crate::TaskError;
 use flights::Simulator;
@@ -32,8 +32,7 @@ const GUST_PERCENT: [u32; 4] = [0, 10, 30, 100];
 impl Study for DisturbanceStudy {
     const NAME: &'static str = "disturbance";
     const EDITION: u32 = 1;
-    const SEEDS: u64 = 100;
-    const QUICK_SEEDS: u64 = 1;
+    const SEEDS: Option<Seeds> = Some(Seeds { page: 100, quick: 1 });
     type Kind = Kind;
     type Outcome = Outcome;
 

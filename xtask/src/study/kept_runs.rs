@@ -29,17 +29,17 @@ struct Case<Kind> {
     seed: u64,
 }
 
-/// The outcomes of each kind, seeds from 1 on: those in `file`, and those of new runs, which are
-/// added to it. Seeds vary slowest, so that a study that was stopped has seen every kind.
+/// The outcomes of each of these kinds, seeds from 1 on: those in `file`, and those of new runs,
+/// which are added to it. Seeds vary slowest, so that a study that was stopped has seen every kind.
 pub(super) fn collect<S: Study>(
     study: &S,
+    kinds: Vec<S::Kind>,
     seeds: u64,
     file: &Path,
     threads: usize,
     bar: &ProgressBar,
 ) -> Result<Runs<S>, TaskError> {
     let fault = |source| TaskError::io(file, source);
-    let kinds = study.kinds();
     let mut outcomes = kept::<S>(file, &kinds)?;
     outcomes.retain(|(seed, _), _| (1..=seeds).contains(seed));
     let open: Vec<(u64, usize)> = (1..=seeds)

@@ -9,7 +9,7 @@ mod summary;
 
 use report::Document;
 
-use super::definition::{Runs, Study};
+use super::definition::{Runs, Seeds, Study};
 use super::sections::sections;
 use crate::TaskError;
 use crate::shared::noisy_flights::{Excitation, Simulator};
@@ -27,8 +27,7 @@ const SIGNAL_TO_NOISE: [u32; 4] = [1000, 100, 30, 10];
 impl Study for NoiseStudy {
     const NAME: &'static str = "noise";
     const EDITION: u32 = 3;
-    const SEEDS: u64 = 200;
-    const QUICK_SEEDS: u64 = 3;
+    const SEEDS: Option<Seeds> = Some(Seeds { page: 200, quick: 3 });
     type Kind = Kind;
     type Outcome = Outcome;
 

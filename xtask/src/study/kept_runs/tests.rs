@@ -3,6 +3,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use report::Document;
 
 use super::*;
+use crate::study::definition::Seeds;
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Kind {
@@ -24,8 +25,7 @@ struct Counting {
 impl Study for Counting {
     const NAME: &'static str = "counting";
     const EDITION: u32 = 1;
-    const SEEDS: u64 = 3;
-    const QUICK_SEEDS: u64 = 1;
+    const SEEDS: Option<Seeds> = Some(Seeds { page: 3, quick: 1 });
     type Kind = Kind;
     type Outcome = Outcome;
 
@@ -53,7 +53,8 @@ impl Study for Counting {
 /// The runs, and how many of them are new.
 fn collected(seeds: u64, file: &Path, threads: usize) -> (Runs<Counting>, u64) {
     let study = Counting::default();
-    let runs = collect(&study, seeds, file, threads, &ProgressBar::hidden()).unwrap();
+    let runs =
+        collect(&study, study.kinds(), seeds, file, threads, &ProgressBar::hidden()).unwrap();
     (runs, study.count.into_inner())
 }
 
@@ -92,7 +93,7 @@ fn the_first_fault_ends_the_study() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("runs.jsonl");
     let study = Counting { fails_at: 2, ..Counting::default() };
-    let error = collect(&study, 3, &file, 1, &ProgressBar::hidden()).unwrap_err();
+    let error = collect(&study, study.kinds(), 3, &file, 1, &ProgressBar::hidden()).unwrap_err();
     assert_eq!(error.to_string(), "study: seed 2");
     assert_eq!(kept::<Counting>(&file, &study.kinds()).unwrap().len(), 16);
 }

@@ -1,0 +1,121 @@
+//! The records of a flight and the truth about its aircraft, as they are in the tree.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use flate2::read::GzDecoder;
+use lti::SamplePeriod;
+use num_complex::Complex;
+use reconstruct::{Channel, Record};
+use serde::Deserialize;
+
+use super::kind::{Aircraft, Kind};
+use crate::TaskError;
+use crate::shared::modes::TrueModes;
+
+const PART: &str = "tests/data/simulator";
+const SURFACES: [&str; 2] = ["aileron", "rudder"];
+const HEADER: &str = "time,beta,p,r";
+
+/// What is true of each aircraft, by name.
+pub(super) struct Truth(BTreeMap<String, TrueAircraft>);
+
+/// One aircraft in trim.
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct TrueAircraft {
+    /// What is special about it.
+    pub(super) about: String,
+    pub(super) altitude_m: f64,
+    pub(super) true_airspeed_m_s: f64,
+    roll: f64,
+    /// Real and imaginary part.
+    dutch_roll: [f64; 2],
+    spiral: f64,
+}
+
+impl TrueAircraft {
+    /// The eigenvalues of the simulator, linearised in trim.
+    pub(super) fn modes(&self) -> TrueModes {
+        let [re, im] = self.dutch_roll;
+        TrueModes {
+            spiral: Complex::from(self.spiral),
+            roll: Complex::from(self.roll),
+            dutch_roll: Complex::new(re, im),
+        }
+    }
+}
+
+impl Truth {
+    /// The truth beside the records.
+    pub(super) fn read(folder: &Path) -> Result<Self, TaskError> {
+        let file = folder.join("truth.json");
+        let text = std::fs::read_to_string(&file).map_err(|source| TaskError::io(&file, source))?;
+        serde_json::from_str(&text).map(Self).map_err(TaskError::computation(PART))
+    }
+
+    pub(super) fn of(&self, aircraft: Aircraft) -> Result<&TrueAircraft, TaskError> {
+        let missing = || fault(format!("truth.json knows no {}", aircraft.name()));
+        self.0.get(aircraft.name()).ok_or_else(missing)
+    }
+}
+
+/// The records moved through aileron and rudder.
+pub(super) fn read(folder: &Path, kind: Kind) -> Result<Vec<Record>, TaskError> {
+    let record = |surface: &&str| {
+        let name = format!("{}_{surface}_{}.csv.gz", kind.aircraft.name(), kind.motion.name());
+        let path = folder.join(&name);
+        let mut text = String::new();
+        File::open(&path)
+            .and_then(|file| GzDecoder::new(file).read_to_string(&mut text))
+            .map_err(|source| TaskError::io(&path, source))?;
+        parse(surface, &text).map_err(|what| fault(format!("{name}: {what}")))
+    };
+    SURFACES.iter().map(record).collect()
+}
+
+/// A record from its text: the columns of [`HEADER`], evenly sampled.
+fn parse(name: &str, text: &str) -> Result<Record, String> {
+    let mut lines = text.lines();
+    if lines.next() != Some(HEADER) {
+        return Err(format!("the first line must be {HEADER}"));
+    }
+    let mut columns = [const { Vec::new() }; 4];
+    for (index, line) in lines.enumerate() {
+        let bad = || format!("line {}: {line:?} is not four numbers", index + 2);
+        let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
+        let row: [f64; 4] = numbers.ok().and_then(|row| row.try_into().ok()).ok_or_else(bad)?;
+        for (column, value) in columns.iter_mut().zip(row) {
+            column.push(value);
+        }
+    }
+    let [time, beta, p, r] = columns;
+    let period = period(&time)?;
+    let channels = [("beta", beta), ("p", p), ("r", r)];
+    let channels = channels.map(|(name, values)| Channel::new(name, values));
+    Record::new(name, period, channels.into()).map_err(|error| error.to_string())
+}
+
+/// The time between two samples, the same throughout.
+fn period(time_s: &[f64]) -> Result<SamplePeriod, String> {
+    /// Times are written with at least six digits, so that steps of 0.05 s in 120 s are off by less
+    /// than this part of a step.
+    const UNEVEN: f64 = 0.01;
+    let [first, .., last] = time_s else {
+        return Err("fewer than two samples".to_owned());
+    };
+    let step_s = (last - first) / (time_s.len() - 1) as f64;
+    let uneven = |pair: &[f64]| ((pair[1] - pair[0]) / step_s - 1.0).abs() > UNEVEN;
+    if let Some(index) = time_s.windows(2).position(uneven) {
+        return Err(format!("line {}: a step other than {step_s} s", index + 3));
+    }
+    SamplePeriod::new(step_s).map_err(|error| error.to_string())
+}
+
+fn fault(message: String) -> TaskError {
+    TaskError::Computation { part: PART, message }
+}
+
+#[cfg(test)]
+mod tests;
