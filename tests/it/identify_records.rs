@@ -166,8 +166,9 @@ fn a_state_that_alternates_has_no_name_and_is_one_state() {
     transmode(&[&["simulate", "paper"], &words[..], &[place.to_str().unwrap()]].concat());
     let files = ["aileron.csv", "rudder.csv"].map(|name| place.join(name));
     let [aileron, rudder] = files.each_ref().map(|file| file.to_str().unwrap());
-    let (_, json) =
-        identify(&[aileron, rudder, "--white-noise", "--report", report.to_str().unwrap()]);
+    let zero = ["--white-noise", "--offsets", "zero"];
+    let words = [&[aileron, rudder], &zero[..], &["--report", report.to_str().unwrap()]].concat();
+    let (_, json) = identify(&words);
     let mode = &json["modes"][0];
     assert_eq!((&mode["name"], &json["order"]), (&"unnamed".into(), &2.into()), "{mode}");
     assert!(

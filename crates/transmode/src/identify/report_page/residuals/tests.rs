@@ -17,9 +17,9 @@ fn limits_rest_on_the_frequencies_used() {
     let records = load(&files, &LoadOptions::default(), Progress::Hidden).unwrap().records;
     let mut options = Options::default();
     options.order = OrderChoice::Fixed(4);
-    let result = reconstruct(&records, &options).unwrap();
     let period_s = records[0].period().seconds();
     let found = |options: &Options| {
+        let result = reconstruct(&records, options).unwrap();
         numbers(&spectral_fits(&records, options, &result).unwrap()[0], period_s)
     };
     // Three sensors less one excitation leave two numbers for each sample.
