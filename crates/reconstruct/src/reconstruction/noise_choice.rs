@@ -112,7 +112,11 @@ fn is_white_under(
         },
         ..second.clone()
     };
-    let fit = likelihood::identify(records, std::slice::from_ref(start), &short)?;
+    let fit = match likelihood::identify(records, std::slice::from_ref(start), &short) {
+        // Nothing can be evaluated there.
+        Err(ReconstructError::Start { .. }) => return Ok(false),
+        other => other?,
+    };
     let collapsed = fit
         .noise_levels
         .iter()

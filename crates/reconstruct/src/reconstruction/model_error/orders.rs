@@ -69,6 +69,11 @@ impl OrderSearch<'_> {
                     misses = if criterion(&fit) < lowest(&fits) { 0 } else { misses + 1 };
                     fits.push(fit);
                 }
+                // Nothing can be evaluated at the starts of this order.
+                Err(other @ ReconstructError::Start { .. }) => {
+                    misses += 1;
+                    error = Some(other);
+                }
                 // The records are too short for it, say.
                 Err(other) => {
                     error = Some(other);
