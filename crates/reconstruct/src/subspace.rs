@@ -3,6 +3,7 @@
 mod dense;
 mod diagnosis;
 mod doubt;
+mod engine;
 mod evidence;
 mod excitation;
 mod factor;
@@ -13,9 +14,8 @@ mod options;
 mod order;
 mod realisation;
 mod sources;
+mod whitened;
 mod whitening;
-
-use nalgebra::{DMatrix, DVector};
 
 pub(crate) use diagnosis::of_order;
 pub use doubt::Doubt;
@@ -24,18 +24,14 @@ pub use excitation::ExcitationRank;
 pub use options::{Options, OrderChoice};
 pub use order::OrderEvidence;
 pub(crate) use order::{WEAK_GAP, best};
+pub(crate) use whitened::Whitened;
 
-use crate::{NoiseModel, ReconstructError, Record, SharedModel};
-use dense::Eigen;
+use crate::{ReconstructError, Record};
 use diagnosis::{Findings, doubts, same_excitation};
-use excitation::{excitation_rank, noise_edge};
-use input_direction::input_direction;
-use levels::Window;
-use limits::{Extent, Setting};
-use order::Spaces;
-use realisation::{Realisation, realise};
-use sources::{Sources, quiet_whitening};
-use whitening::Whitening;
+use engine::{Engine, Realised};
+use excitation::excitation_rank;
+use limits::Setting;
+use sources::Sources;
 
 /// Finds the dynamics that all records share, whatever excited them.
 ///
@@ -163,231 +159,6 @@ pub fn identify(records: &[Record], options: &Options) -> Result<Intersection, R
         residual: realisation.residual,
         doubts,
     })
-}
-
-/// Records with their noise whitened by levels that are known: the model at one order after another, without what is said about it.
-pub(crate) struct Whitened<'a> {
-    records: &'a [Record],
-    setting: Setting<'a>,
-    sources: Sources,
-    extent: Extent,
-    whitening: Whitening,
-    spaces: Spaces,
-}
-
-impl<'a> Whitened<'a> {
-    /// Whitens the records by the levels of the options.
-    pub(crate) fn new(
-        records: &'a [Record],
-        options: &'a Options,
-    ) -> Result<Self, ReconstructError> {
-        let setting = Setting::new(records, options)?;
-        let extent = setting.extent(options.order, options.block_rows)?;
-        let probe = levels::window_rows(setting.sensors, extent.largest_order, extent.block_rows);
-        let sources = Sources::new(setting, extent.block_rows, probe)?;
-        let engine = Engine { setting, sources: &sources, block_rows: extent.block_rows };
-        let (whitening, origin) = engine.noise(&options.noise, extent.largest_order)?;
-        let spaces = engine.spaces(&engine.spectra(&whitening)?, &whitening, origin);
-        Ok(Self { records, setting, sources, extent, whitening, spaces })
-    }
-
-    /// The model of so many states; `None` where the block rows do not tell as many, or hold none.
-    pub(crate) fn model(&self, order: usize) -> Option<SharedModel> {
-        if order > self.extent.largest_order {
-            return None;
-        }
-        let block_rows = self.extent.block_rows;
-        let engine = Engine { setting: self.setting, sources: &self.sources, block_rows };
-        let (observability, _) = self.spaces.common(order).ok()?;
-        let found = engine.realised(self.records, &self.spaces, &self.whitening, &observability);
-        found.ok().map(|found| found.model)
-    }
-
-    pub(crate) fn block_rows(&self) -> usize {
-        self.extent.block_rows
-    }
-}
-
-/// The records' covariances, and what is computed from them for one noise model or another.
-struct Engine<'a> {
-    setting: Setting<'a>,
-    sources: &'a Sources,
-    block_rows: usize,
-}
-
-/// The model of so many states.
-struct Realised {
-    model: SharedModel,
-    realisation: Realisation,
-    /// For each record, how well the next direction of excitation fits.
-    ambiguities: Vec<f64>,
-}
-
-impl Engine<'_> {
-    /// The model of so many states, in the sensors' units.
-    fn realised(
-        &self,
-        records: &[Record],
-        spaces: &Spaces,
-        whitening: &Whitening,
-        observability: &DMatrix<f64>,
-    ) -> Result<Realised, ReconstructError> {
-        let setting = self.setting;
-        let realisation = realise(observability, setting.sensors)?;
-        let (mut b, mut feedthrough, mut ambiguities) = (Vec::new(), Vec::new(), Vec::new());
-        for j in 0..records.len() {
-            let annihilators = spaces.annihilators(j, observability.ncols()).into_owned();
-            let excited = input_direction(
-                &annihilators,
-                observability,
-                setting.sensors,
-                setting.direct_path,
-            )?;
-            b.push(excited.b);
-            feedthrough.extend(excited.d.map(|d| self.in_sensor_units(d, whitening)));
-            ambiguities.push(excited.ambiguity);
-        }
-        let mut c = realisation.c.clone();
-        for (mut row, deviation) in c.row_iter_mut().zip(self.deviations(whitening)) {
-            row *= deviation;
-        }
-        let model = SharedModel {
-            a: realisation.a.clone(),
-            c,
-            b,
-            feedthrough: (!feedthrough.is_empty()).then_some(feedthrough),
-            period: records[0].period(),
-        };
-        Ok(Realised { model, realisation, ambiguities })
-    }
-
-    /// The levels of a whitening in the sensors' units.
-    fn deviations(&self, whitening: &Whitening) -> Vec<f64> {
-        whitening.deviations().iter().zip(&self.sources.units).map(|(s, unit)| s * unit).collect()
-    }
-
-    /// The whitening of a noise model, its levels estimated for so many states if need be.
-    fn noise(
-        &self,
-        model: &NoiseModel,
-        order: usize,
-    ) -> Result<(Whitening, NoiseOrigin), ReconstructError> {
-        let units = &self.sources.units;
-        match model {
-            NoiseModel::Estimated | NoiseModel::White => self.estimated(order, 1, |_| true),
-            NoiseModel::Levels(levels) => {
-                let levels = levels.iter().zip(units).map(|(level, unit)| level / unit).collect();
-                Ok((Whitening::Levels(levels), NoiseOrigin::Given))
-            }
-            NoiseModel::Quiet(quiet) => Ok((
-                quiet_whitening(self.setting, quiet, units, self.block_rows)?,
-                NoiseOrigin::Quiet { samples: quiet.samples() },
-            )),
-        }
-    }
-
-    /// Levels from some of the records.
-    fn estimated(
-        &self,
-        order: usize,
-        excitations: usize,
-        used: impl Fn(usize) -> bool,
-    ) -> Result<(Whitening, NoiseOrigin), ReconstructError> {
-        let free = self.setting.sensors + 1 - excitations;
-        let block_rows = levels::window_rows(free, order, self.block_rows);
-        let signal = self.setting.signal_dimension(block_rows, order, excitations);
-        let window = Window { block_rows, signal };
-        let records = self.sources.records.iter().enumerate();
-        let records: Vec<_> = records.filter(|(j, _)| used(*j)).map(|(_, source)| source).collect();
-        let found = levels::estimate(&records, &self.sources.deviations, window)?;
-        let origin = if found.rounding {
-            NoiseOrigin::Rounding
-        } else {
-            NoiseOrigin::Estimated { rounds: found.rounds, converged: found.converged }
-        };
-        Ok((Whitening::Levels(found.deviations), origin))
-    }
-
-    /// Other levels where those of all records together don't make the noise flat, so that some record holds more than one excitation: those
-    /// of the records that are flat on their own, or else those that more excitations lead to. `None` if the noise is flat or nothing makes it so.
-    fn noise_of_several(
-        &self,
-        spectra: &[Eigen],
-        order: usize,
-    ) -> Result<Option<(Whitening, NoiseOrigin, Vec<Eigen>)>, ReconstructError> {
-        let all = 0..spectra.len();
-        if all.clone().all(|j| self.is_flat(j, &spectra[j], order, 1)) {
-            return Ok(None);
-        }
-        let mut flat = Vec::with_capacity(spectra.len());
-        for j in all.clone() {
-            let (whitening, _) = self.estimated(order, 1, |other| other == j)?;
-            flat.push(self.is_flat(j, &self.spectrum(j, &whitening)?, order, 1));
-        }
-        if flat.contains(&true) {
-            let (whitening, origin) = self.estimated(order, 1, |j| flat[j])?;
-            let spectra = self.spectra(&whitening)?;
-            return Ok(Some((whitening, origin, spectra)));
-        }
-        for excitations in 2..self.setting.sensors {
-            let (whitening, origin) = self.estimated(order, excitations, |_| true)?;
-            let spectra = self.spectra(&whitening)?;
-            if all.clone().all(|j| self.is_flat(j, &spectra[j], order, excitations)) {
-                return Ok(Some((whitening, origin, spectra)));
-            }
-        }
-        Ok(None)
-    }
-
-    /// Whether the noise directions of a record have the variance of white noise of these levels: none more than chance allows, half of
-    /// them not much less. Records that the levels don't fit can make all but one sensor pass for noise, which leaves next to none in the rest.
-    fn is_flat(&self, record: usize, spectrum: &Eigen, order: usize, excitations: usize) -> bool {
-        /// The median is 0.9 in short records.
-        const LEAST_MEDIAN: f64 = 0.4;
-        let signal = self.setting.signal_dimension(self.block_rows, order, excitations);
-        let edge = noise_edge(self.setting, self.block_rows, self.sources.columns[record]);
-        let last = spectrum.values.len().checked_sub(signal + 1);
-        last.is_some_and(|last| {
-            spectrum.values[last] <= edge && spectrum.values[last / 2] >= LEAST_MEDIAN
-        })
-    }
-
-    fn spectrum(&self, record: usize, whitening: &Whitening) -> Result<Eigen, ReconstructError> {
-        let rows = self.block_rows * self.setting.sensors;
-        whitening.spectrum(&self.sources.records[record].0, rows)
-    }
-
-    fn spectra(&self, whitening: &Whitening) -> Result<Vec<Eigen>, ReconstructError> {
-        (0..self.sources.records.len()).map(|j| self.spectrum(j, whitening)).collect()
-    }
-
-    fn spaces(&self, spectra: &[Eigen], whitening: &Whitening, origin: NoiseOrigin) -> Spaces {
-        let rows = self.block_rows * self.setting.sensors;
-        let noise = rows - self.setting.signal_dimension(self.block_rows, 0, 1);
-        let silent = |spectrum: &Eigen| match origin {
-            // The levels are upper bounds of rounding errors.
-            NoiseOrigin::Rounding => spectrum.values.iter().filter(|value| **value <= 1.0).count(),
-            _ => 0,
-        };
-        Spaces {
-            annihilators: spectra
-                .iter()
-                .map(|spectrum| whitening.annihilators(spectrum.vectors.clone()))
-                .collect(),
-            noise,
-            silent: spectra.iter().map(silent).collect(),
-            orthonormal: matches!(whitening, Whitening::Levels(_)),
-        }
-    }
-
-    /// A vector of the sensors' readings in their own units.
-    fn in_sensor_units(&self, mut readings: DVector<f64>, whitening: &Whitening) -> DVector<f64> {
-        let deviations = whitening.deviations().iter().zip(&self.sources.units);
-        for (reading, (deviation, unit)) in readings.iter_mut().zip(deviations) {
-            *reading *= deviation * unit;
-        }
-        readings
-    }
 }
 
 #[cfg(test)]

@@ -75,8 +75,9 @@ impl<'a> Setting<'a> {
         options.measurement.check(records)?;
         let Measurement { offsets, trend, feedthrough_sensors, known_inputs: known } =
             &options.measurement;
-        let still = *offsets == Offsets::Zero && *trend != Trend::Linear;
-        let centring = if still { Centring::None } else { Centring::Rows };
+        let offset = matches!(offsets, Offsets::Free | Offsets::PriorDeviation(_));
+        let centring =
+            if offset || *trend == Trend::Linear { Centring::Rows } else { Centring::None };
         let direct = !feedthrough_sensors.is_empty();
         let direct_path = if direct { DirectPath::Present } else { DirectPath::Absent };
         Ok(Self { records, quiet, sensors, centring, direct_path, known })

@@ -5,9 +5,9 @@ mod planted;
 
 use super::*;
 use crate::shipped::pair;
-use crate::{Channel, Measurement, Offsets};
+use crate::{Channel, Measurement, NoiseModel, Offsets, SharedModel};
 use lti::SamplePeriod;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
