@@ -72,10 +72,7 @@ pub fn reconstruct(
 ) -> Result<Reconstruction, ReconstructError> {
     match options.method {
         Method::Paper => by_paper(records, options),
-        Method::Subspace => {
-            let options = options.without_offsets_as_needed();
-            by_subspace(starts::first_stage(records, &options)?)
-        }
+        Method::Subspace => by_subspace(starts::first_stage(records, options)?),
         Method::MaximumLikelihood => by_likelihood(records, options),
     }
 }

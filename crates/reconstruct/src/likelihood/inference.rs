@@ -6,6 +6,7 @@
 //! | `doubt.rs` | reasons to doubt it |
 //! | `uncertainty.rs` | covariances of parameters and modes |
 //! | `profile_likelihood.rs` | intervals of real modes from the likelihood itself |
+//! | `offset_estimates.rs` | offsets that were left free |
 //! | `goodness_of_fit.rs`, `offset_test.rs`, `model_error_test.rs`, `chi_squared.rs` | chi-squared, whiteness, offsets, residuals that follow the signal |
 //! | `refit.rs` | the problem of a finished fit, for what is asked of it afterwards |
 //! | `spectral_fit.rs`, `fitted_transmissibility.rs` | response, noise and residuals at each frequency; transmissibilities as fitted |
@@ -17,6 +18,7 @@ pub(crate) mod fit;
 pub(crate) mod fitted_transmissibility;
 pub(crate) mod goodness_of_fit;
 pub(crate) mod model_error_test;
+pub(crate) mod offset_estimates;
 pub(crate) mod offset_test;
 pub(crate) mod profile_likelihood;
 pub(crate) mod refit;

@@ -131,10 +131,29 @@ impl SearchOptions {
     pub(crate) fn of_a_restart(&self) -> Self {
         const STEPS: usize = 40;
         const NOISE_UPDATES: usize = 5;
+        self.at_most(STEPS, NOISE_UPDATES)
+    }
+
+    /// The same with no more steps and updates of the noise levels than these.
+    pub(crate) fn at_most(&self, steps: usize, noise_updates: usize) -> Self {
         Self {
-            max_steps: self.max_steps.min(STEPS),
-            max_noise_updates: self.max_noise_updates.min(NOISE_UPDATES),
+            max_steps: self.max_steps.min(steps),
+            max_noise_updates: self.max_noise_updates.min(noise_updates),
             ..self.clone()
         }
+    }
+
+    /// The same with tolerances no smaller than these.
+    pub(crate) fn no_finer_than(&self, step: f64, level: f64) -> Self {
+        Self {
+            step_tolerance: self.step_tolerance.max(step),
+            level_tolerance: self.level_tolerance.max(level),
+            ..self.clone()
+        }
+    }
+
+    /// The same from the starts alone.
+    pub(crate) fn without_restarts(&self) -> Self {
+        Self { max_restarts: 0, ..self.clone() }
     }
 }

@@ -202,16 +202,19 @@ pub(crate) fn refuse_constant_channels(records: &[Record]) -> Result<(), Reconst
     Ok(())
 }
 
-/// The largest root mean square of a sensor about its mean, over all records.
-pub(crate) fn largest_rms(records: &[Record], sensor: usize) -> f64 {
-    let all = records.iter().map(|record| centred_rms(&record.channels()[sensor].values));
-    all.fold(0.0, f64::max)
+/// The root mean square of a size over all records.
+pub(crate) fn over_all(records: &[Record], size: impl Fn(&Record) -> f64) -> f64 {
+    let square: f64 = records.iter().map(|record| size(record).powi(2)).sum();
+    (square / records.len() as f64).sqrt()
 }
 
-/// The root mean square about the mean.
-pub(crate) fn centred_rms(values: &[f64]) -> f64 {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    rms(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
+/// The root mean square of a sensor about its mean, over all records.
+pub(crate) fn deviation(records: &[Record], sensor: usize) -> f64 {
+    over_all(records, |record| {
+        let values = &record.channels()[sensor].values;
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        rms(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
+    })
 }
 
 /// Root mean square, 1 for a signal that is zero throughout.

@@ -3,7 +3,7 @@
 use num_complex::Complex;
 
 use crate::likelihood::{Fit, Mode};
-use crate::model::record::largest_rms;
+use crate::model::record::deviation;
 use crate::subspace::{Intersection, NoiseOrigin};
 use crate::{NoiseModel, Record, likelihood, paper, subspace};
 
@@ -140,7 +140,7 @@ fn disagreeing_levels(records: &[Record], first: &Intersection, fit: &Fit) -> Ve
     let channels = records[0].channels().iter();
     let each = channels.zip(&first.noise.deviations).zip(levels).enumerate();
     let disagree = each.filter(|(index, ((_, subspace), level))| {
-        let above_floor = || level.value > FAR_ABOVE_THE_FLOOR * largest_rms(records, *index);
+        let above_floor = || level.value > FAR_ABOVE_THE_FLOOR * deviation(records, *index);
         (!model_error || above_floor())
             && level.value - 3.0 * level.standard_error > ratio * **subspace
     });

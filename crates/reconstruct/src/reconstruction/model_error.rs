@@ -14,7 +14,8 @@ use starts::{Subspaces, subspace_options};
 
 use super::options::Options;
 use super::result::ComparedOrder;
-use crate::likelihood::{Fit, FrequencyBand, Noise, SearchOptions};
+use super::starts::FirstStage;
+use crate::likelihood::{Fit, FrequencyBand, Noise};
 use crate::subspace::OrderEvidence;
 use crate::{Measurement, ReconstructError, Record, Trend, likelihood};
 
@@ -35,12 +36,11 @@ const SAME_BAND: f64 = 1.25;
 /// A mode whose standard error is below this part of its size says how fast the system is.
 const KNOWN: f64 = 0.1;
 
-/// Fits the records with a relative model error. The levels are those that the signal subspaces show.
+/// Fits the records with a relative model error.
 pub(super) fn fitted(
     records: &[Record],
     options: &Options,
-    levels: &[f64],
-    evidence: &OrderEvidence,
+    stage: &FirstStage,
 ) -> Result<WithModelError, ReconstructError> {
     let nyquist = PI / records[0].period().seconds();
     let first_band = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: FIRST_BAND * nyquist };
@@ -49,12 +49,12 @@ pub(super) fn fitted(
         measurement: options.measurement.clone(),
         band: Some(options.band.unwrap_or(first_band)),
         hold: options.hold,
-        search: SearchOptions { max_restarts: 0, ..options.search.clone() },
+        search: options.search.without_restarts(),
         threads: options.threads,
     };
-    let all = subspace_options(records, options, levels);
+    let all = subspace_options(records, options, &stage.intersection);
     let subspaces = Subspaces::new(records, &all, options.threads)?;
-    let (found, second) = with_drift_as_needed(records, options, &subspaces, evidence, second)?;
+    let (found, second) = with_drift_as_needed(records, options, &subspaces, &stage.order, second)?;
     let (start, compared) = found.into_best();
     let chosen = || {
         let fastest = fastest(&start)?;
@@ -81,17 +81,15 @@ fn with_drift_as_needed(
         let measurement = Measurement { trend, ..second.measurement.clone() };
         likelihood::Options { measurement, ..second.clone() }
     };
-    let orders = |second: &likelihood::Options| {
-        OrderSearch { records, subspaces, options: second }.run(options.order, evidence)
-    };
+    let search = |options| OrderSearch { records, subspaces, options, also_from: &[] };
     if options.measurement.trend != Trend::AsNeeded {
-        return Ok((orders(&second)?, second));
+        return Ok((search(&second).run(options.order, evidence)?, second));
     }
     let (still, drifting) = (with(Trend::Absent), with(Trend::Linear));
-    let found = orders(&still)?;
-    let search = OrderSearch { records, subspaces, options: &drifting };
-    if calls_for_drift(&found, &search) {
-        return Ok((orders(&drifting)?, drifting));
+    let found = search(&still).run(options.order, evidence)?;
+    if calls_for_drift(&found, &search(&drifting)) {
+        let again = OrderSearch { also_from: &found.fits, ..search(&drifting) };
+        return Ok((again.run(options.order, evidence)?, drifting));
     }
     Ok((found, still))
 }

@@ -91,24 +91,19 @@ const LEVEL_WITHOUT_NOISE: f64 = 1e-9;
 const LONGEST_AUTOREGRESSION: usize = 24;
 
 impl Options {
-    /// The options of the first stage.
+    /// The options of the first stage. Where the likelihood is to tell whether sensors are offset, its starts must not take an offset for a state.
     #[must_use]
     pub fn subspace(&self) -> subspace::Options {
+        let mut measurement = self.measurement.clone();
+        if measurement.offsets == Offsets::AsNeeded && self.method == Method::MaximumLikelihood {
+            measurement.offsets = Offsets::Free;
+        }
         subspace::Options {
             order: self.order,
             block_rows: self.block_rows,
             noise: self.noise.clone(),
-            measurement: self.measurement.clone(),
+            measurement,
         }
-    }
-
-    /// The same for the first stage alone, which cannot tell whether offsets are needed: they are zero.
-    pub(super) fn without_offsets_as_needed(&self) -> Self {
-        let mut options = self.clone();
-        if options.measurement.offsets == Offsets::AsNeeded {
-            options.measurement.offsets = Offsets::Zero;
-        }
-        options
     }
 
     /// The options of the second stage, after the first.

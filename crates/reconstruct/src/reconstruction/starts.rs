@@ -84,13 +84,17 @@ pub(super) fn first_stage(
     Ok(FirstStage { intersection: first, order, doubts, starts })
 }
 
-/// The first stage at another order, with the evidence that speaks for and against it.
+/// The first stage at this order, with the evidence that speaks for and against it.
 pub(super) fn at_order(
     records: &[Record],
     options: &Options,
-    evidence: &OrderEvidence,
+    stage: &FirstStage,
     order: usize,
 ) -> Result<FirstStage, ReconstructError> {
+    let evidence = &stage.order;
+    if evidence.order == order {
+        return Ok(stage.clone());
+    }
     let fixed = Options { order: OrderChoice::Fixed(order), ..options.clone() };
     let stage = first_stage(records, &fixed)?;
     let evidence = OrderEvidence {
@@ -116,7 +120,7 @@ fn means(first: &Intersection, others: &[Intersection]) -> Vec<(usize, f64)> {
     first.order.gaps.iter().map(|(order, _)| *order).filter(known).map(mean).collect()
 }
 
-pub(super) fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
+fn gap_of(gaps: &[(usize, f64)], order: usize) -> f64 {
     gaps.iter().find(|(other, _)| *other == order).map_or(1.0, |(_, gap)| *gap)
 }
 

@@ -8,7 +8,7 @@ use super::doubt::{self, Doubt};
 use super::options::Options;
 use super::result::ComparedOrder;
 use super::starts::{self, FirstStage};
-use crate::likelihood::{Fit, SearchOptions};
+use crate::likelihood::Fit;
 use crate::subspace::{OrderEvidence, WEAK_GAP};
 use crate::{ReconstructError, Record, likelihood, subspace};
 
@@ -42,19 +42,13 @@ pub(super) fn fitted(
     if found.stage.order.asked {
         return Ok(found);
     }
-    let short = likelihood::Options {
-        search: SearchOptions {
-            max_steps: second.search.max_steps.min(STEPS),
-            max_noise_updates: second.search.max_noise_updates.min(UPDATES),
-            ..second.search.clone()
-        },
-        ..second.clone()
-    };
+    let search = second.search.at_most(STEPS, UPDATES);
+    let short = likelihood::Options { search, ..second.clone() };
     for order in open(&found) {
         // An error says that the records are too short for it, or allow no search there.
-        let Ok(mut other) = at_order(records, options, &short, &found.stage.order, order) else {
-            continue;
-        };
+        let other = starts::at_order(records, options, &found.stage, order)
+            .and_then(|stage| fit(records, options, &short, stage));
+        let Ok(mut other) = other else { continue };
         let above = other.fit.criterion - found.fit.criterion;
         let is_better = above < -DECISIVE && fits(&other.doubts) && !fits(&found.doubts);
         if order > found.stage.order.order && is_better {
@@ -90,18 +84,6 @@ pub(super) fn fit(
     Ok(Fitted { stage, fit, doubts, compared: Vec::new() })
 }
 
-/// The fit at another order, with the evidence that speaks for and against it.
-pub(super) fn at_order(
-    records: &[Record],
-    options: &Options,
-    second: &likelihood::Options,
-    evidence: &OrderEvidence,
-    order: usize,
-) -> Result<Fitted, ReconstructError> {
-    let stage = starts::at_order(records, options, evidence, order)?;
-    fit(records, options, second, stage)
-}
-
 /// The orders that compete: the one with the largest gap and, where the fit is doubtful, higher ones whose gap is some evidence.
 fn open(found: &Fitted) -> Vec<usize> {
     let OrderEvidence { order, gaps, .. } = &found.stage.order;
@@ -130,11 +112,6 @@ pub(super) fn fits(doubts: &[Doubt]) -> bool {
             )
         )
     })
-}
-
-/// Whether the gaps leave the order open.
-pub(super) fn is_contested(doubts: &[Doubt]) -> bool {
-    doubts.iter().any(is_about_order)
 }
 
 /// Whether a doubt says that the gaps leave the order open.

@@ -4,10 +4,15 @@ use num_complex::Complex;
 
 use crate::Record;
 use crate::likelihood::options::{Noise, Options};
-use crate::model::record::{centred_rms, rms};
+use crate::model::record::{deviation, over_all, rms};
 
 /// Where nothing is known, the noise starts at this part of a sensor's root mean square over all records.
 const FIRST_GUESS: f64 = 0.01;
+
+/// The least relative model error, where there is one.
+pub(crate) const LEAST_MODEL_ERROR: f64 = 1e-3;
+/// Beside a model error no level is below this part of its sensor's root mean square.
+const LEAST_LEVEL: f64 = 1e-3;
 
 /// What each sensor is divided by: its noise level as far as it is known.
 pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
@@ -17,9 +22,8 @@ pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
         | Noise::Estimated { first_guess: Some(levels) }
         | Noise::ModelError { first_guess: Some(levels) } => levels.clone(),
         Noise::Estimated { first_guess: None } | Noise::ModelError { first_guess: None } => {
-            let size = |sensor: usize| {
-                mean_square(records, |record| rms(&record.channels()[sensor].values)).sqrt()
-            };
+            let size =
+                |sensor: usize| over_all(records, |record| rms(&record.channels()[sensor].values));
             (0..sensors).map(|sensor| FIRST_GUESS * size(sensor)).collect()
         }
         Noise::Spectra(spectra) => (0..sensors)
@@ -38,23 +42,14 @@ pub(crate) fn sensor_units(records: &[Record], options: &Options) -> Vec<f64> {
 /// a thousandth of its sensor's root mean square, and the model error itself at a thousandth.
 pub(crate) fn floors(records: &[Record], units: &[f64], options: &Options) -> Vec<f64> {
     const ROUNDING: f64 = 1e-24;
-    const LEAST_LEVEL: f64 = 1e-3;
-    const LEAST_MODEL_ERROR: f64 = 1e-3;
     if !matches!(options.noise, Noise::ModelError { .. }) {
         return vec![ROUNDING; units.len()];
     }
-    let level = |(sensor, unit): (usize, &f64)| {
-        let square = mean_square(records, |record| centred_rms(&record.channels()[sensor].values));
-        (LEAST_LEVEL / unit).powi(2) * square
-    };
+    let level =
+        |(sensor, unit): (usize, &f64)| (LEAST_LEVEL * deviation(records, sensor) / unit).powi(2);
     let mut floors: Vec<f64> = units.iter().enumerate().map(level).collect();
     floors.push(LEAST_MODEL_ERROR * LEAST_MODEL_ERROR);
     floors
-}
-
-/// The square of a size, on average over the records.
-fn mean_square(records: &[Record], size: impl Fn(&Record) -> f64) -> f64 {
-    records.iter().map(|record| size(record).powi(2)).sum::<f64>() / records.len() as f64
 }
 
 /// Variances to start from, in the units of the sensors: 1 for each, which its unit is made for, and a model error of one per cent.

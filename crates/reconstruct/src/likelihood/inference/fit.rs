@@ -7,6 +7,7 @@ use super::goodness_of_fit::{ChiSquared, Whiteness};
 use super::offset_test::OffsetTest;
 use super::uncertainty::{Estimate, Mode};
 use crate::SharedModel;
+use crate::likelihood::cost::noise::LEAST_MODEL_ERROR;
 use crate::likelihood::options::{Hold, Options};
 use crate::likelihood::search::hold_selection::PRICE;
 use crate::likelihood::search::report::{SearchReport, StartReport};
@@ -68,6 +69,20 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// Whether the model error is the least that is assumed: the records show none as large. False without one.
+    #[must_use]
+    pub fn has_least_model_error(&self) -> bool {
+        /// What the last update may leave above it.
+        const LEFT: f64 = 1.2;
+        self.model_error.is_some_and(|error| error.value < LEFT * LEAST_MODEL_ERROR)
+    }
+
+    /// The variances of white noise and, where there is one, the square of the model error, in the sensors' units; empty where the noise has a spectrum.
+    pub(crate) fn variances(&self) -> Vec<f64> {
+        let levels = self.noise_levels.iter().flatten().chain(&self.model_error);
+        levels.map(|level| level.value * level.value).collect()
+    }
+
     /// The criterion with the logarithm of the number of residuals for each number that was fitted instead of 2: Schwarz's, which prefers fewer states.
     #[must_use]
     pub fn bayesian_criterion(&self) -> f64 {

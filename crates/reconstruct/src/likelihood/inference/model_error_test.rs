@@ -1,10 +1,8 @@
 //! Whether what a fit with white noise leaves over follows the signal: a score test of no relative model error.
 
 use super::fit::Fit;
-use super::refit::{Refit, refit};
-use crate::likelihood::cost::evaluation::Problem;
+use super::refit::{Refit, refit_with};
 use crate::likelihood::options::{Noise, Options};
-use crate::likelihood::validation;
 use crate::{ReconstructError, Record};
 
 /// What the residuals of a fit with white noise say about a relative model error.
@@ -32,14 +30,9 @@ pub fn model_error_test(records: &[Record], fit: &Fit) -> Result<ModelErrorTest,
         });
     };
     let levels = levels.iter().map(|level| level.value).collect();
-    let Refit { evaluation, units, .. } = refit(records, fit)?;
     let noise = Noise::ModelError { first_guess: Some(levels) };
     let options = Options { noise, ..fit.options.clone() };
-    let layout = validation::check(records, std::slice::from_ref(&fit.model), &options)?;
-    let problem = Problem::new(layout, records, &units, &options)?;
-    let mut variances = vec![1.0; units.len()];
-    variances.push(0.0);
-    let at = problem.evaluate_around(evaluation.system, evaluation.coefficients, &variances);
+    let Refit { evaluation: at, units, .. } = refit_with(records, fit, &options, Some(0.0))?;
     let own = units.len();
     // The part of eps^2 that the levels cannot take over.
     let among = at.information.view((0, 0), (own, own)).into_owned();

@@ -20,13 +20,22 @@ pub(crate) struct Refit {
 }
 
 pub(crate) fn refit(records: &[Record], fit: &Fit) -> Result<Refit, ReconstructError> {
-    let known = with_known_noise(fit);
-    let layout = validation::check(records, std::slice::from_ref(&fit.model), &known)?;
-    let units = sensor_units(records, &known);
-    let problem = Problem::new(layout, records, &units, &known)?;
+    refit_with(records, fit, &with_known_noise(fit), fit.model_error.map(|error| error.value))
+}
+
+/// The same under other options, with this model error where there is one.
+pub(crate) fn refit_with(
+    records: &[Record],
+    fit: &Fit,
+    known: &Options,
+    model_error: Option<f64>,
+) -> Result<Refit, ReconstructError> {
+    let layout = validation::check(records, std::slice::from_ref(&fit.model), known)?;
+    let units = sensor_units(records, known);
+    let problem = Problem::new(layout, records, &units, known)?;
     let system = System::scaled(&fit.model, &units, &problem.layout);
     let mut variances = vec![1.0; units.len()];
-    variances.extend(fit.model_error.map(|error| error.value * error.value));
+    variances.extend(model_error.map(|error| error * error));
     let evaluation = problem.evaluate(system, &variances);
     Ok(Refit { problem, evaluation, variances, units })
 }

@@ -71,27 +71,27 @@ pub(crate) fn spectral_fit(
 }
 
 /// What is known of one record's system.
-struct Fitted<'a> {
-    model: &'a SharedModel,
-    record: usize,
-    /// Of white noise.
-    variances: &'a [f64],
+pub(super) struct Fitted<'a> {
+    pub(super) model: &'a SharedModel,
+    pub(super) record: usize,
+    /// Of white noise, and the square of the model error where there is one.
+    pub(super) variances: &'a [f64],
     /// The sensors that read inputs directly.
-    direct: &'a [usize],
+    pub(super) direct: &'a [usize],
 }
 
 /// Everything at one frequency.
-struct At {
+pub(super) struct At {
     /// g.
     gain: DVector<Complex<f64>>,
     /// F, one column for each coefficient.
-    known: DMatrix<Complex<f64>>,
+    pub(super) known: DMatrix<Complex<f64>>,
     /// S^-1.
     precision: DMatrix<Complex<f64>>,
     /// The diagonal of S.
     noise: Vec<f64>,
     /// Y.
-    measured: DVector<Complex<f64>>,
+    pub(super) measured: DVector<Complex<f64>>,
 }
 
 fn one(
@@ -103,14 +103,14 @@ fn one(
     let at = |k: usize| At::new(spectrum, k, fitted);
     let unknowns = at(0)?.known.ncols();
     let mut gram = DMatrix::<f64>::zeros(unknowns, unknowns);
-    let mut right = DVector::<f64>::zeros(unknowns);
+    let mut right = DMatrix::<f64>::zeros(unknowns, 1);
     for k in 0..spectrum.frequencies() {
         let at = at(k)?;
         let weighted = at.project(&at.known).adjoint() * Complex::from(spectrum.weight[k]);
         gram += (&weighted * &at.known).map(|entry| entry.re);
         right += (&weighted * &at.measured).map(|entry| entry.re);
     }
-    let coefficients = least_squares(&gram, &right).map(Complex::from);
+    let coefficients = least_squares(&gram, &right).column(0).map(Complex::from);
     let nothing = || SensorSpectrum {
         measured: Vec::new(),
         response: Vec::new(),
@@ -144,7 +144,7 @@ fn one(
 }
 
 impl At {
-    fn new(
+    pub(super) fn new(
         spectrum: &RecordSpectrum,
         k: usize,
         fitted: &Fitted<'_>,
@@ -221,30 +221,33 @@ impl At {
     }
 
     /// Phi times the columns.
-    fn project(&self, columns: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
+    pub(super) fn project(&self, columns: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
         let weighted = &self.precision * columns;
         let along = &self.precision * &self.gain / Complex::from(self.gain_power());
         &weighted - along * (self.gain.adjoint() * &weighted)
     }
 }
 
-/// The shortest solution of the normal equations, in scaled unknowns.
-fn least_squares(gram: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
+/// The shortest solutions of normal equations, in scaled unknowns: one for each right side, which is a column.
+pub(super) fn least_squares(gram: &DMatrix<f64>, right: &DMatrix<f64>) -> DMatrix<f64> {
     /// What the records do not determine is left at zero.
     const RANK_TOLERANCE: f64 = 1e-12;
     let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 0.0 });
     let scaled =
         DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, k| gram[(i, k)] * scale[i] * scale[k]);
-    let eigen = scaled.symmetric_eigen();
-    let right = right.component_mul(&scale);
-    let mut solution = DVector::zeros(gram.nrows());
+    let mut solution = DMatrix::zeros(right.nrows(), right.ncols());
+    if gram.nrows() == 0 {
+        return solution;
+    }
+    let scale = DMatrix::from_diagonal(&scale);
+    let (eigen, right) = (scaled.symmetric_eigen(), &scale * right);
     for (k, &value) in eigen.eigenvalues.iter().enumerate() {
         if value > RANK_TOLERANCE {
             let vector = eigen.eigenvectors.column(k);
-            solution += vector * (vector.dot(&right) / value);
+            solution += vector * (vector.transpose() * &right / value);
         }
     }
-    solution.component_mul(&scale)
+    scale * solution
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use super::slow_mode_restarts::{self, Moved};
 use crate::SharedModel;
 use crate::likelihood::cost::evaluation::Problem;
 use crate::likelihood::cost::parameters::System;
-use crate::likelihood::options::{InputDirections, Options, SearchOptions};
+use crate::likelihood::options::{InputDirections, Options};
 
 /// Local optima within this objective of the best one are reported as rivals: a likelihood ratio of e^3, 20 to 1.
 pub(crate) const RIVAL: f64 = 6.0;
@@ -98,14 +98,8 @@ pub(crate) fn search(
 }
 
 fn first_look(options: &Options) -> Options {
-    Options {
-        search: SearchOptions {
-            step_tolerance: options.search.step_tolerance.max(FIRST_LOOK),
-            level_tolerance: options.search.level_tolerance.max(FIRST_LOOK),
-            ..options.search.clone()
-        },
-        ..options.clone()
-    }
+    let search = options.search.no_finer_than(FIRST_LOOK, FIRST_LOOK);
+    Options { search, ..options.clone() }
 }
 
 /// Restarts from the best local optimum with each of its slow modes moved, in rounds, as long as that improves it.

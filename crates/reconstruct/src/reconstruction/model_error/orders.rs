@@ -3,11 +3,13 @@
 use std::f64::consts::TAU;
 
 use super::starts::Subspaces;
-use crate::likelihood::{Fit, Hold, SearchOptions};
+use crate::likelihood::{Fit, Hold};
 use crate::reconstruction::result::ComparedOrder;
 use crate::subspace::{OrderChoice, OrderEvidence};
 use crate::{ReconstructError, Record, SharedModel, likelihood};
 
+/// More states are worth it where they are e^10 times as likely: a few that fit little are what is left of a small nonlinearity.
+const DECISIVE: f64 = 20.0;
 /// Where the search for the order starts, if the gaps show no lower one.
 const LOWEST_ORDER: usize = 2;
 /// A first look that leaves the criterion so far above the lowest one is enough.
@@ -44,6 +46,8 @@ pub(super) struct OrderSearch<'a> {
     pub(super) records: &'a [Record],
     pub(super) subspaces: &'a Subspaces<'a>,
     pub(super) options: &'a likelihood::Options,
+    /// Fits under other options, from which those of their order start as well.
+    pub(super) also_from: &'a [Fit],
 }
 
 impl OrderSearch<'_> {
@@ -81,10 +85,9 @@ impl OrderSearch<'_> {
                 }
             }
         }
-        let by_criterion =
-            |x: &usize, y: &usize| criterion(&fits[*x]).total_cmp(&criterion(&fits[*y]));
+        let decisive = lowest(&fits) + DECISIVE;
         let enough = explains_enough(&fits, self.records);
-        let best = enough.or_else(|| (0..fits.len()).min_by(by_criterion));
+        let best = enough.or_else(|| fits.iter().position(|fit| criterion(fit) <= decisive));
         match best {
             Some(best) => Ok(Orders { fits, best }),
             None => Err(error.unwrap_or(ReconstructError::InvalidOrder { order: first })),
@@ -93,7 +96,9 @@ impl OrderSearch<'_> {
 
     /// A fit at one order that is close to its optimum: from each start to where a few steps lead, and on from the best of these.
     fn at_order(&self, order: usize, hopeless: f64) -> Result<Fit, ReconstructError> {
-        let starts = self.subspaces.starts(order, self.options.threads);
+        let mut starts = self.subspaces.starts(order, self.options.threads);
+        let of_order = self.also_from.iter().map(|fit| &fit.model).filter(|m| m.a.nrows() == order);
+        starts.extend(of_order.cloned());
         let first = self.search(&starts, FIRST_LOOK)?;
         if first.bayesian_criterion() > hopeless { Ok(first) } else { self.refined(&first) }
     }
@@ -106,16 +111,10 @@ impl OrderSearch<'_> {
     fn search(&self, starts: &[SharedModel], effort: Effort) -> Result<Fit, ReconstructError> {
         /// Of a variance.
         const LEVEL_TOLERANCE: f64 = 0.1;
-        let search = &self.options.search;
+        let search = self.options.search.at_most(effort.steps, effort.updates);
         let options = likelihood::Options {
             hold: Some(self.options.hold.unwrap_or(Hold::ZeroOrder)),
-            search: SearchOptions {
-                max_steps: effort.steps.min(search.max_steps),
-                max_noise_updates: effort.updates.min(search.max_noise_updates),
-                step_tolerance: effort.tolerance.max(search.step_tolerance),
-                level_tolerance: LEVEL_TOLERANCE.max(search.level_tolerance),
-                ..search.clone()
-            },
+            search: search.no_finer_than(effort.tolerance, LEVEL_TOLERANCE),
             ..self.options.clone()
         };
         likelihood::identify(self.records, starts, &options)
@@ -140,12 +139,9 @@ fn order(fit: &Fit) -> usize {
 
 /// Whether all that is left over is below the floors of levels and model error: then more states explain what means nothing.
 fn explains_all(fit: &Fit) -> bool {
-    /// Above the floor of 1e-3 by rounding and the last update.
-    const AT_THE_FLOOR: f64 = 1.2e-3;
     /// Residuals make it 1 unless the floors are above them.
     const BELOW_THE_FLOORS: f64 = 0.95;
-    fit.chi_squared.per_degree_of_freedom() < BELOW_THE_FLOORS
-        && fit.model_error.is_some_and(|error| error.value < AT_THE_FLOOR)
+    fit.chi_squared.per_degree_of_freedom() < BELOW_THE_FLOORS && fit.has_least_model_error()
 }
 
 /// The lowest order beyond which more states change nothing that matters: it explains all, or is followed by a more likely one that leaves its modes where they are.

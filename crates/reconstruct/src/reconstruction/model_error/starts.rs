@@ -2,8 +2,9 @@
 
 use hankel::{Sharing, in_order};
 
-use crate::model::record::largest_rms;
+use crate::model::record::deviation;
 use crate::reconstruction::options::Options;
+use crate::subspace::Intersection;
 use crate::{NoiseModel, ReconstructError, Record, SharedModel, subspace};
 
 /// Which number of block rows comes close differs from record to record.
@@ -16,29 +17,28 @@ const LEVEL: f64 = 1e-2;
 /// matter to a signal subspace.
 pub(super) struct Subspaces<'a>(Vec<subspace::Whitened<'a>>);
 
-/// What the subspaces of one pair of levels and number of block rows are found with.
+/// The options of these subspaces, of the levels and the block rows that the first stage has.
 pub(super) fn subspace_options(
     records: &[Record],
     options: &Options,
-    levels: &[f64],
+    first: &Intersection,
 ) -> Vec<subspace::Options> {
-    let equal = (0..levels.len()).map(|sensor| LEVEL * largest_rms(records, sensor));
     let own = options.subspace();
-    let with =
-        |levels: Vec<f64>| subspace::Options { noise: NoiseModel::Levels(levels), ..own.clone() };
-    let rule = [with(levels.to_vec()), with(equal.collect())];
-    if own.block_rows.is_some() {
-        return rule.to_vec();
-    }
-    let Ok(rows) = subspace::Whitened::new(records, &rule[0]).map(|found| found.block_rows())
-    else {
-        return rule.to_vec();
+    let estimated = first.noise.deviations.clone();
+    let equal = (0..estimated.len()).map(|sensor| LEVEL * deviation(records, sensor)).collect();
+    let shares = match own.block_rows {
+        Some(_) => &PARTS_OF_THE_RULE[..1],
+        None => &PARTS_OF_THE_RULE[..],
     };
-    let part = |options: &subspace::Options, (part, of): (usize, usize)| subspace::Options {
-        block_rows: Some(rows * part / of),
-        ..options.clone()
+    let with = |levels: &Vec<f64>, (part, of): (usize, usize)| subspace::Options {
+        noise: NoiseModel::Levels(levels.clone()),
+        block_rows: Some(first.block_rows * part / of),
+        ..own.clone()
     };
-    rule.iter().flat_map(|options| PARTS_OF_THE_RULE.map(|share| part(options, share))).collect()
+    [estimated, equal]
+        .iter()
+        .flat_map(|levels| shares.iter().map(move |&share| with(levels, share)))
+        .collect()
 }
 
 impl<'a> Subspaces<'a> {
