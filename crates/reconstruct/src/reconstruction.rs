@@ -20,7 +20,7 @@ pub use spectra::spectral_fits;
 use starts::FirstStage;
 use white_noise::Fitted;
 
-use crate::likelihood::profile_intervals;
+use crate::likelihood::{offset_estimates, profile_intervals};
 use crate::subspace::Intersection;
 use crate::{ReconstructError, Record, paper, subspace};
 
@@ -125,6 +125,7 @@ fn by_likelihood(
     } else {
         vec![None; fit.modes.len()]
     };
+    let offsets = offset_estimates(records, &fit)?;
     let modes = fit.modes.iter().zip(intervals).map(|(estimate, interval_95)| FoundMode {
         excitation_snr: excitation_snr(&intersection, &estimate.mode),
         mode: estimate.mode.clone(),
@@ -139,6 +140,7 @@ fn by_likelihood(
             order,
             fit: Box::new(fit),
             compared_orders: compared,
+            offsets,
         },
     })
 }

@@ -70,6 +70,9 @@ pub enum Details {
         fit: Box<Fit>,
         /// Orders that the gaps left open, and that were compared by their likelihoods.
         compared_orders: Vec<ComparedOrder>,
+        /// The constant that each sensor adds to its readings, in its unit, see [`offset_estimates`](likelihood::offset_estimates); empty where offsets are not
+        /// free.
+        offsets: Vec<Estimate>,
     },
 }
 
@@ -128,6 +131,15 @@ impl Reconstruction {
     pub fn compared_orders(&self) -> &[ComparedOrder] {
         match &self.details {
             Details::MaximumLikelihood { compared_orders, .. } => compared_orders,
+            Details::Paper(_) | Details::Subspace { .. } => &[],
+        }
+    }
+
+    /// The constant that each sensor adds to its readings, in its unit; empty where the likelihood did not estimate any.
+    #[must_use]
+    pub fn offsets(&self) -> &[Estimate] {
+        match &self.details {
+            Details::MaximumLikelihood { offsets, .. } => offsets,
             Details::Paper(_) | Details::Subspace { .. } => &[],
         }
     }

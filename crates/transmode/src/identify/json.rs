@@ -27,6 +27,8 @@ struct Output<'a> {
     noise_origin: Option<&'static str>,
     model_error: Option<ModelErrorOutput>,
     offsets: Option<&'static str>,
+    /// What each sensor adds to its readings, taken as common to all records.
+    offset_values: Vec<OffsetOutput<'a>>,
     drift: Option<bool>,
     band_rad_s: Option<[f64; 2]>,
     hold: Option<HoldOutput>,
@@ -117,6 +119,14 @@ struct NoiseOutput<'a> {
 }
 
 #[derive(Serialize)]
+struct OffsetOutput<'a> {
+    channel: &'a str,
+    value: f64,
+    deviation: f64,
+    unit: Option<&'static str>,
+}
+
+#[derive(Serialize)]
 struct GoodnessOutput {
     chi2_per_dof: Option<f64>,
     p_value: Option<f64>,
@@ -166,6 +176,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
             Offsets::PriorDeviation(_) => "prior",
             _ => "zero",
         }),
+        offset_values: offsets(outcome),
         drift: fit.map(|fit| fit.options.measurement.trend == Trend::Linear),
         band_rad_s: fit
             .and_then(|fit| fit.options.band)
@@ -261,6 +272,20 @@ fn noise<'a>(outcome: &Outcome<'a>) -> Vec<NoiseOutput<'a>> {
             channel: &channel.name,
             deviation: level.value,
             level_deviation: (estimated && likelihood).then_some(level.standard_error),
+            unit: outcome.unit(index),
+        })
+        .collect()
+}
+
+fn offsets<'a>(outcome: &Outcome<'a>) -> Vec<OffsetOutput<'a>> {
+    let offsets = outcome.result.offsets().iter().enumerate();
+    channels(outcome)
+        .into_iter()
+        .zip(offsets)
+        .map(|(channel, (index, offset))| OffsetOutput {
+            channel,
+            value: offset.value,
+            deviation: offset.standard_error,
             unit: outcome.unit(index),
         })
         .collect()

@@ -1,14 +1,13 @@
 //! What the modes rest on, where noise is reckoned with: order, noise levels, fit.
 
-use reconstruct::likelihood::Hold;
+use std::fmt::Write;
+
+use reconstruct::likelihood::{Estimate, Hold};
 use reconstruct::{Offsets, Trend};
 use report::format_significant;
 
 use crate::identify::outcome::Outcome;
 use crate::modes::IdentifiedMode;
-
-/// The least model error, 0.1 %, but for the last update.
-const AT_THE_FLOOR: f64 = 1.01e-3;
 
 /// How many other orders are named.
 const NAMED: usize = 4;
@@ -58,21 +57,12 @@ fn noise(outcome: &Outcome<'_>) -> Option<String> {
     };
     let channels = outcome.records.first()?.channels();
     let levels = outcome.result.noise_levels().unwrap_or_default();
-    let level = |(index, (channel, level)): (
-        usize,
-        (&reconstruct::Channel, reconstruct::likelihood::Estimate),
-    )| {
-        let unit = outcome.unit(index).filter(|unit| !unit.is_empty());
-        let deviation = if level.standard_error > 0.0 {
-            format!(" +- {}", format_significant(level.standard_error, 2))
-        } else {
-            String::new()
-        };
-        let value = format_significant(level.value, 3);
-        let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
-        format!("{} {value}{deviation}{unit}", channel.name)
-    };
-    let levels: Vec<_> = channels.iter().zip(levels).enumerate().map(level).collect();
+    let levels: Vec<_> = channels
+        .iter()
+        .zip(levels)
+        .enumerate()
+        .map(|(index, (channel, level))| quantity(outcome, index, &channel.name, level))
+        .collect();
     Some(format!("noise: {}; {origin}", levels.join(", ")))
 }
 
@@ -94,9 +84,10 @@ fn intervals(outcome: &Outcome<'_>) -> Option<String> {
 
 /// What the noise leaves to a relative model error.
 fn model_error(outcome: &Outcome<'_>) -> Option<String> {
-    let error = outcome.result.fit()?.model_error?;
+    let fit = outcome.result.fit()?;
+    let error = fit.model_error?;
     let percent = |value: f64, digits| format_significant(100.0 * value, digits);
-    if error.value < AT_THE_FLOOR {
+    if fit.has_least_model_error() {
         return Some("model error: 0.1 % of what the sensors read, the least that is assumed beside the noise".to_owned());
     }
     Some(format!(
@@ -117,7 +108,30 @@ fn sensors(outcome: &Outcome<'_>) -> Option<String> {
         (false, true) => "a constant drift of each sensor",
         (false, false) => return None,
     };
-    Some(format!("sensors: {what} estimated for each record"))
+    let mut line = format!("sensors: {what} estimated for each record");
+    let channels = outcome.records.first().map_or(&[][..], |record| record.channels());
+    let common: Vec<_> = channels
+        .iter()
+        .zip(outcome.result.offsets())
+        .enumerate()
+        .map(|(index, (channel, offset))| quantity(outcome, index, &channel.name, *offset))
+        .collect();
+    if !common.is_empty() {
+        let _ = write!(line, "; taken as common to all records: {}", common.join(", "));
+    }
+    Some(line)
+}
+
+/// A sensor's name, the estimate with its standard error, the sensor's unit.
+fn quantity(outcome: &Outcome<'_>, sensor: usize, name: &str, estimate: Estimate) -> String {
+    let error = if estimate.standard_error > 0.0 {
+        format!(" +- {}", format_significant(estimate.standard_error, 2))
+    } else {
+        String::new()
+    };
+    let unit = outcome.unit(sensor).filter(|unit| !unit.is_empty());
+    let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+    format!("{name} {}{error}{unit}", format_significant(estimate.value, 3))
 }
 
 /// How the excitation moves between samples, with the evidence where the records told.
