@@ -133,10 +133,10 @@ fn options_that_do_not_fit_the_records() {
         (&["--known-input", "damper"], "has no column \"damper\""),
         (
             &["--known-input", "rudder", "--known-input", "rudder"],
-            "--known-input names \"rudder\" twice",
+            "--inputs names \"rudder\" twice",
         ),
-        (&["--known-input", "p"], "--known-input names \"p\" and --outputs, too"),
-        (&["--known-input", "time"], "--known-input names \"time\" but it is the column of time"),
+        (&["--known-input", "p"], "--inputs names \"p\" and --outputs, too"),
+        (&["--known-input", "time"], "--inputs names \"time\" but it is the column of time"),
         (&["--decimate", "40"], "--decimate 40 needs more than"),
         (&["--window", "aileron.csv:0:1"], "cannot read aileron.csv"),
     ];
@@ -156,7 +156,7 @@ fn options_of_another_method() {
         &["--feedthrough", "p"],
         &["--noise", "1,1,1"],
         &["--noise-record", "quiet.csv"],
-        &["--known-input", "rudder"],
+        &["--inputs", "rudder"],
         &["--trend"],
     ];
     let of_printed: [&[&str]; 3] = [&["--iir", "4"], &["--causal", "20"], &["--anticausal", "20"]];
@@ -230,7 +230,7 @@ fn known_inputs_that_say_nothing() {
     let identify = ["identify", &biased, &again, "--outputs", "beta,p,r", "--known-input"];
     for (input, value) in [("bias", "0.25"), ("rudder", "0")] {
         transmode(&[&identify[..], &[input]].concat()).refused(&format!(
-            "--known-input: {input} is constant in biased.csv, {value} throughout, and tells nothing; leave it out"
+            "--inputs: {input} is constant in biased.csv, {value} throughout, and tells nothing; leave it out"
         ));
     }
     let all = ["identify", &biased, &again, "--known-input", "beta", "--known-input", "p"];

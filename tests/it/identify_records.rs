@@ -205,7 +205,13 @@ fn a_measured_input_is_no_second_excitation() {
     let [time, beta, p, r, none, _] = RUDDER.columns();
     let rudder = folder.file("rudder.csv", table(header, &[time, beta, p, r, none]));
 
-    let (ran, json) = identify(&[&damped, &rudder, "--known-input", "damper"]);
+    // By itself it explains hardly anything, so that something else must have moved the aircraft as well.
+    let (ran, json) = identify(&[&damped, &rudder, "--inputs", "damper"]);
+    assert_eq!((ran.exit, codes(&json)), (Exit::Fine, vec!["idle-input"]), "{}", json["warnings"]);
+    assert_eq!(json["method"], "ml");
+    near_the_truth(&json);
+    let (ran, json) =
+        identify(&[&damped, &rudder, "--known-input", "damper", "--unknown-excitation", "yes"]);
     assert_eq!((ran.exit, codes(&json)), (Exit::Fine, vec!["idle-input"]), "{}", json["warnings"]);
     // By default the other columns are the sensors.
     assert_eq!(json["noise"].as_array().unwrap().len(), 3);

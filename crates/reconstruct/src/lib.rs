@@ -8,6 +8,7 @@
 //! | [`paper`] | the paper's method, for records without noise: transmissibilities, their differences, the zeros that these share |
 //! | [`subspace`] | which directions do the signal subspaces of noisy records share? Closed form, any excitation, no standard errors |
 //! | [`likelihood`] | which system is the most likely one, and how certain is it? |
+//! | [`output_error`] | which system turns recorded inputs into what the sensors read? |
 //! | [`Record`], [`Measurement`], [`NoiseModel`] | what goes in: records, how they were measured, what is known about their noise |
 //! | [`SharedModel`] | what the records have in common |
 //! | [`spectral_fits`] | response, noise and residuals of every record at each frequency |
@@ -23,6 +24,7 @@
 mod error;
 pub mod likelihood;
 mod model;
+pub mod output_error;
 pub mod paper;
 mod reconstruction;
 #[cfg(test)]
@@ -32,8 +34,8 @@ pub mod subspace;
 pub use error::ReconstructError;
 pub use model::{Channel, Measurement, NoiseModel, Offsets, Record, SharedModel, Trend};
 pub use reconstruction::{
-    ComparedOrder, Details, Doubt, FoundMode, Method, Options, Reconstruction, reconstruct,
-    spectral_fits,
+    ComparedOrder, Details, Doubt, Excitation, FoundMode, Method, Options, Reconstruction,
+    reconstruct, spectral_fits,
 };
 
 /// The README's example compiles.

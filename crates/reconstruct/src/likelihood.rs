@@ -24,11 +24,11 @@
 //! | `identify.rs`, `bootstrap.rs` | from records and starts to the result; the same with the noise drawn anew |
 
 mod bootstrap;
-mod cost;
+pub(crate) mod cost;
 #[cfg(test)]
 pub(crate) mod fixtures;
 mod identify;
-mod inference;
+pub(crate) mod inference;
 mod options;
 mod search;
 mod validation;

@@ -7,6 +7,7 @@ mod noise_model;
 pub(crate) mod noise_spectrum;
 pub(crate) mod record;
 mod shared_model;
+pub(crate) mod triangle_hold;
 mod vector_autoregression;
 
 pub use measurement::{Measurement, Offsets, Trend};

@@ -13,7 +13,7 @@ use lti::{Discrete, Mode, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 
 pub use doubt::Doubt;
-pub use options::{Method, Options};
+pub use options::{Excitation, Method, Options};
 
 pub use result::{ComparedOrder, Details, FoundMode, Reconstruction};
 pub use spectra::spectral_fits;
@@ -22,13 +22,14 @@ use white_noise::Fitted;
 
 use crate::likelihood::{offset_estimates, profile_intervals};
 use crate::subspace::Intersection;
-use crate::{ReconstructError, Record, paper, subspace};
+use crate::{ReconstructError, Record, output_error, paper, subspace};
 
 /// Reconstructs the modes of a system from records of its sensors, each under an excitation that nobody measured.
 ///
 /// | method | needs | gives |
 /// |---|---|---|
 /// | [`Method::MaximumLikelihood`] | two records of three sensors or three of two | modes with deviations and intervals, tests of fit |
+/// | [`Method::OutputError`] | one record or more with its inputs recorded | modes with standard errors, derivatives, lags |
 /// | [`Method::Subspace`] | the same | modes, order, ranks of the excitations; closed form |
 /// | [`Method::Paper`] | two records of three sensors, no noise | modes |
 ///
@@ -72,8 +73,14 @@ pub fn reconstruct(
 ) -> Result<Reconstruction, ReconstructError> {
     match options.method {
         Method::Paper => by_paper(records, options),
-        Method::Subspace => by_subspace(starts::first_stage(records, options)?),
-        Method::MaximumLikelihood => by_likelihood(records, options),
+        Method::Subspace => {
+            by_subspace(starts::first_stage(records, &options.with_unrecorded_excitation())?)
+        }
+        Method::OutputError => by_output_error(records, options),
+        Method::MaximumLikelihood if options.inputs.names.is_empty() => {
+            by_likelihood(records, options)
+        }
+        Method::MaximumLikelihood => by_excitation(records, options),
     }
 }
 
@@ -111,6 +118,45 @@ fn by_subspace(stage: FirstStage) -> Result<Reconstruction, ReconstructError> {
         modes: ordered(modes.collect()),
         doubts,
         details: Details::Subspace { intersection, order },
+    })
+}
+
+/// Output error, unless something else than the recorded inputs excited the system.
+fn by_excitation(
+    records: &[Record],
+    options: &Options,
+) -> Result<Reconstruction, ReconstructError> {
+    let beside_unrecorded = || by_likelihood(records, &options.with_unrecorded_excitation());
+    match options.excitation {
+        Excitation::Unrecorded => beside_unrecorded(),
+        Excitation::Recorded => by_output_error(records, options),
+        Excitation::AsNeeded => {
+            let found = by_output_error(records, options)?;
+            let says_so = |doubt: &Doubt| matches!(doubt, Doubt::OutputError(doubt) if doubt.is_of_unrecorded_excitation());
+            if !found.doubts.iter().any(says_so) {
+                return Ok(found);
+            }
+            // Where that leaves doubts as well, which of both is right is for the user to say.
+            Ok(beside_unrecorded().ok().filter(|other| other.doubts.is_empty()).unwrap_or(found))
+        }
+    }
+}
+
+fn by_output_error(
+    records: &[Record],
+    options: &Options,
+) -> Result<Reconstruction, ReconstructError> {
+    let fit = output_error::identify(records, &options.inputs, &options.output_error())?;
+    let modes = fit.modes.iter().map(|estimate| FoundMode {
+        mode: estimate.mode.clone(),
+        estimate: Some(estimate.clone()),
+        interval_95: None,
+        excitation_snr: Vec::new(),
+    });
+    Ok(Reconstruction {
+        modes: ordered(modes.collect()),
+        doubts: fit.doubts.iter().cloned().map(Doubt::OutputError).collect(),
+        details: Details::OutputError(Box::new(fit)),
     })
 }
 

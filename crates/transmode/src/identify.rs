@@ -12,14 +12,15 @@ mod text;
 use std::io::Write;
 use std::path::Path;
 
-use reconstruct::reconstruct;
+use reconstruct::output_error::{RecordedInputs, simulate};
+use reconstruct::{Options, Reconstruction, reconstruct};
 
 use crate::args::{Given, IdentifyArgs};
 use crate::error::OptionError;
 use crate::records::Progress;
 use crate::{CommandError, Exit, modes, output};
-use input::Input;
-use outcome::{FlyingQualitiesCase, Outcome};
+use input::{HeldOut, Input};
+use outcome::{FlyingQualitiesCase, Outcome, Prediction};
 
 /// Reads the records, reconstructs the modes and writes them.
 pub(crate) fn run(
@@ -48,7 +49,9 @@ pub(crate) fn run(
     if let Some(folder) = &args.report {
         report_page::check_place(folder)?;
     }
-    let Input { records, sources, known_inputs, noise, warnings } = input::read(&args, progress)?;
+    let read = input::read(&args, progress)?;
+    let held_out = input::validation(&args, &read, progress)?;
+    let Input { records, sources, known_inputs, noise, warnings } = read;
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
     let options = options::options(&args, &records, noise, known_inputs)?;
     let searching = progress.work("searching for the modes");
@@ -57,6 +60,7 @@ pub(crate) fn run(
     drop(searching);
     result.doubts.retain(|doubt| !outcome::is_of_one_excitation(doubt, &records, &sources));
     let found = modes::name(&result, &records[0])?;
+    let predictions = predictions(held_out, &options, &result)?;
     let case = args.aircraft_class.zip(args.flight_phase);
     let outcome = Outcome {
         command: typed,
@@ -68,6 +72,7 @@ pub(crate) fn run(
         found: &found,
         flying_qualities: case.map(|(class, phase)| FlyingQualitiesCase { class, phase }),
         warnings: &warnings,
+        predictions: &predictions,
     };
 
     let drawn = match &args.report {
@@ -90,4 +95,23 @@ pub(crate) fn run(
         output::write_whole(standard_output, text::render(&outcome).as_bytes(), out)?;
     }
     Ok(if result.doubts.is_empty() { Exit::Fine } else { Exit::Doubtful })
+}
+
+/// What the model makes of records that the fit did not see; an error where the result has no model with inputs.
+fn predictions(
+    HeldOut { records, inputs: signals }: HeldOut,
+    options: &Options,
+    result: &Reconstruction,
+) -> Result<Vec<Prediction>, CommandError> {
+    if records.is_empty() {
+        return Ok(Vec::new());
+    }
+    let Some(fit) = result.output_error() else {
+        let message = "something that was not recorded excited the system as well, so that no record can be predicted; leave it out".to_owned();
+        return Err(OptionError::Refused { option: "--validate", message }.into());
+    };
+    let inputs = RecordedInputs { names: options.inputs.names.clone(), signals };
+    let all = simulate(&records, &inputs, fit).map_err(|error| refusal::sentence(&error, None))?;
+    let together = records.into_iter().zip(all);
+    Ok(together.map(|(record, simulation)| Prediction { record, simulation }).collect())
 }

@@ -104,12 +104,12 @@ fn alternates(mode: &FoundMode) -> bool {
 
 /// C v with the eigenvector v of A, or what the paper's method says of its own mode.
 fn shape(result: &Reconstruction, mode: &FoundMode) -> Vec<Complex<f64>> {
-    if let (Some(model), Some(vector)) = (result.model(), &mode.mode.eigenvector) {
+    if let (Some(c), Some(vector)) = (result.readings(), &mode.mode.eigenvector) {
         let reading = |row: usize| {
-            let entries = model.c.row(row);
+            let entries = c.row(row);
             entries.iter().zip(vector.iter()).map(|(entry, part)| part * *entry).sum()
         };
-        return (0..model.c.nrows()).map(reading).collect();
+        return (0..c.nrows()).map(reading).collect();
     }
     let solution = result.paper();
     let own = solution.and_then(|solution| {

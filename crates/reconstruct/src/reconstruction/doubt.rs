@@ -5,7 +5,7 @@ use num_complex::Complex;
 use crate::likelihood::{Fit, Mode};
 use crate::model::record::deviation;
 use crate::subspace::{Intersection, NoiseOrigin};
-use crate::{NoiseModel, Record, likelihood, paper, subspace};
+use crate::{NoiseModel, Record, likelihood, output_error, paper, subspace};
 
 /// A reason, found in the data, to doubt a [`Reconstruction`](crate::Reconstruction). Each can be printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub enum Doubt {
     Subspace(subspace::Doubt),
     /// A doubt of the likelihood.
     Likelihood(likelihood::Doubt),
+    /// A doubt of output error with recorded inputs.
+    OutputError(output_error::Doubt),
     /// The likelihood needs far more noise of a sensor than the signal subspaces show.
     LevelsDisagree {
         /// The sensor.
@@ -36,6 +38,7 @@ impl Doubt {
             Self::Paper(doubt) => doubt.code(),
             Self::Subspace(doubt) => doubt.code(),
             Self::Likelihood(doubt) => doubt.code(),
+            Self::OutputError(doubt) => doubt.code(),
             Self::LevelsDisagree { .. } => "levels-disagree",
         }
     }
@@ -47,6 +50,7 @@ impl std::fmt::Display for Doubt {
             Self::Paper(doubt) => doubt.fmt(f),
             Self::Subspace(doubt) => doubt.fmt(f),
             Self::Likelihood(doubt) => doubt.fmt(f),
+            Self::OutputError(doubt) => doubt.fmt(f),
             Self::LevelsDisagree { sensor, subspace, likelihood } => write!(
                 f,
                 "sensor {sensor}: one excitation for each record leaves noise of {likelihood:.2e}, the signal subspaces show {subspace:.2e}: \

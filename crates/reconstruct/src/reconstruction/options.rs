@@ -3,6 +3,7 @@
 use crate::likelihood::{FrequencyBand, Hold, Noise, SearchOptions};
 use crate::model::record::rms;
 use crate::model::{AutoregressionOrder, VectorAutoregression};
+use crate::output_error::{self, Lag, RecordedInputs, Structure};
 use crate::subspace::{Intersection, NoiseOrigin, OrderChoice};
 use crate::{
     Measurement, NoiseModel, Offsets, ReconstructError, Record, likelihood, paper, subspace,
@@ -19,6 +20,21 @@ pub enum Method {
     /// Maximum likelihood from there on: as accurate as the records allow, with standard errors. The default.
     #[default]
     MaximumLikelihood,
+    /// Output error, for records whose inputs were all recorded: modes with standard errors beside any disturbance, from one record or several.
+    OutputError,
+}
+
+/// What excited records whose inputs were recorded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Excitation {
+    /// The recorded inputs alone, unless they leave so much unexplained that something else must have moved the system.
+    #[default]
+    AsNeeded,
+    /// The recorded inputs alone, and disturbances.
+    Recorded,
+    /// In each record something that was not recorded as well.
+    Unrecorded,
 }
 
 /// What [`reconstruct`](crate::reconstruct) may be told.
@@ -45,6 +61,17 @@ pub struct Options {
     /// Offsets, drift and feedthrough of the sensors, and recorded inputs, for both stages. The first stage centres its rows unless offsets
     /// are zero and drift is absent. [`Method::Paper`] knows of none of these.
     pub measurement: Measurement,
+    /// Inputs that were recorded, the same list for all records; by default none. Where there are any, [`Method::MaximumLikelihood`] asks `excitation` what else
+    /// may have moved the system; they take the place of those in `measurement`.
+    pub inputs: RecordedInputs,
+    /// Whether something else than the recorded inputs excited the system.
+    pub excitation: Excitation,
+    /// The form of the equations where all inputs were recorded.
+    pub structure: Structure,
+    /// The lag of each sensor where all inputs were recorded; empty, the default, for none.
+    pub sensor_lags: Vec<Lag>,
+    /// The lag of each recorded input; empty, the default, for none.
+    pub input_lags: Vec<Lag>,
     /// The number of states; by default from the gap among orders up to 10.
     pub order: OrderChoice,
     /// The number of block rows of the first stage; `None` uses its rule, half of them, and one and a half times as many.
@@ -72,6 +99,11 @@ impl Default for Options {
             method: Method::default(),
             noise: first.noise,
             measurement: second.measurement,
+            inputs: RecordedInputs::default(),
+            excitation: Excitation::default(),
+            structure: Structure::default(),
+            sensor_lags: Vec::new(),
+            input_lags: Vec::new(),
             order: first.order,
             block_rows: first.block_rows,
             band: second.band,
@@ -91,10 +123,35 @@ const LEVEL_WITHOUT_NOISE: f64 = 1e-9;
 const LONGEST_AUTOREGRESSION: usize = 24;
 
 impl Options {
+    /// The options where all inputs were recorded.
+    pub(super) fn output_error(&self) -> output_error::Options {
+        output_error::Options {
+            structure: self.structure,
+            order: self.order,
+            hold: self.hold,
+            band: self.band,
+            trend: self.measurement.trend,
+            feedthrough_sensors: self.measurement.feedthrough_sensors.clone(),
+            sensor_lags: self.sensor_lags.clone(),
+            input_lags: self.input_lags.clone(),
+        }
+    }
+
+    /// The same beside an excitation that was not recorded: inputs enter each record in which they move in a way of their own.
+    pub(crate) fn with_unrecorded_excitation(&self) -> Self {
+        let mut options = self.clone();
+        if !self.inputs.names.is_empty() {
+            let moves = |signal: &&Vec<f64>| signal.iter().any(|value| value.abs() > 0.0);
+            let moving = |signals: &Vec<Vec<f64>>| signals.iter().filter(moves).cloned().collect();
+            options.measurement.known_inputs = self.inputs.signals.iter().map(moving).collect();
+        }
+        options
+    }
+
     /// The options of the first stage. Where the likelihood is to tell whether sensors are offset, its starts must not take an offset for a state.
     #[must_use]
     pub fn subspace(&self) -> subspace::Options {
-        let mut measurement = self.measurement.clone();
+        let mut measurement = self.with_unrecorded_excitation().measurement;
         if measurement.offsets == Offsets::AsNeeded && self.method == Method::MaximumLikelihood {
             measurement.offsets = Offsets::Free;
         }

@@ -1,12 +1,13 @@
 //! What a reconstruction says: modes, doubts, and the details of each method.
 
 use lti::Mode;
+use nalgebra::DMatrix;
 
 use super::doubt::Doubt;
 use super::options::Method;
 use crate::likelihood::{Estimate, Fit, Whiteness};
 use crate::subspace::{ExcitationRank, Intersection, NoiseOrigin, OrderEvidence};
-use crate::{SharedModel, likelihood, paper};
+use crate::{SharedModel, likelihood, output_error, paper};
 
 /// A mode of the reconstructed system.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,6 +75,8 @@ pub enum Details {
         /// free.
         offsets: Vec<Estimate>,
     },
+    /// From records whose inputs were all recorded.
+    OutputError(Box<output_error::Fit>),
 }
 
 impl Reconstruction {
@@ -84,6 +87,7 @@ impl Reconstruction {
             Details::Paper(_) => Method::Paper,
             Details::Subspace { .. } => Method::Subspace,
             Details::MaximumLikelihood { .. } => Method::MaximumLikelihood,
+            Details::OutputError(_) => Method::OutputError,
         }
     }
 
@@ -92,7 +96,7 @@ impl Reconstruction {
     pub fn paper(&self) -> Option<&paper::Solution> {
         match &self.details {
             Details::Paper(solution) => Some(solution),
-            Details::Subspace { .. } | Details::MaximumLikelihood { .. } => None,
+            _ => None,
         }
     }
 
@@ -100,7 +104,7 @@ impl Reconstruction {
     #[must_use]
     pub fn intersection(&self) -> Option<&Intersection> {
         match &self.details {
-            Details::Paper(_) => None,
+            Details::Paper(_) | Details::OutputError(_) => None,
             Details::Subspace { intersection, .. }
             | Details::MaximumLikelihood { intersection, .. } => Some(intersection),
         }
@@ -111,7 +115,16 @@ impl Reconstruction {
     pub fn fit(&self) -> Option<&Fit> {
         match &self.details {
             Details::MaximumLikelihood { fit, .. } => Some(fit),
-            Details::Paper(_) | Details::Subspace { .. } => None,
+            _ => None,
+        }
+    }
+
+    /// What output error says, where all inputs were recorded.
+    #[must_use]
+    pub fn output_error(&self) -> Option<&output_error::Fit> {
+        match &self.details {
+            Details::OutputError(fit) => Some(fit),
+            _ => None,
         }
     }
 
@@ -119,7 +132,7 @@ impl Reconstruction {
     #[must_use]
     pub fn order(&self) -> Option<&OrderEvidence> {
         match &self.details {
-            Details::Paper(_) => None,
+            Details::Paper(_) | Details::OutputError(_) => None,
             Details::Subspace { order, .. } | Details::MaximumLikelihood { order, .. } => {
                 Some(order)
             }
@@ -131,7 +144,7 @@ impl Reconstruction {
     pub fn compared_orders(&self) -> &[ComparedOrder] {
         match &self.details {
             Details::MaximumLikelihood { compared_orders, .. } => compared_orders,
-            Details::Paper(_) | Details::Subspace { .. } => &[],
+            _ => &[],
         }
     }
 
@@ -140,11 +153,18 @@ impl Reconstruction {
     pub fn offsets(&self) -> &[Estimate] {
         match &self.details {
             Details::MaximumLikelihood { offsets, .. } => offsets,
-            Details::Paper(_) | Details::Subspace { .. } => &[],
+            _ => &[],
         }
     }
 
-    /// A, C and b_j; none from the paper's method.
+    /// C of the system, sensors x states, in the basis of the modes' eigenvectors; none from the paper's method.
+    #[must_use]
+    pub fn readings(&self) -> Option<&DMatrix<f64>> {
+        let shared = self.model().map(|model| &model.c);
+        shared.or_else(|| self.output_error().map(|fit| fit.model.c()))
+    }
+
+    /// A, C and b_j; none from the paper's method, or where all inputs were recorded.
     #[must_use]
     pub fn model(&self) -> Option<&SharedModel> {
         self.fit()

@@ -36,6 +36,7 @@ pub fn spectral_fits(
     options: &Options,
     found: &Reconstruction,
 ) -> Result<Vec<SpectralFit>, ReconstructError> {
+    let options = &options.with_unrecorded_excitation();
     let (Some(model), Some(first)) = (found.model(), found.intersection()) else {
         return Ok(Vec::new());
     };

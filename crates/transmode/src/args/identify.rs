@@ -7,13 +7,14 @@ use clap::ValueHint;
 
 use super::files::FileArgs;
 use super::values::{
-    Band, HoldAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile, level, order, threads,
+    Band, ExcitationAsked, HoldAsked, LagAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile,
+    StructureAsked, level, order, threads,
 };
 
 /// Names the modes of a system from two or more records of its sensors.
 ///
 /// Each file is one record, or each window of a file: a column of time and one column for each sensor, at least three (or two, with three records).
-/// Each record needs an excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it. Numbers are converted to SI with
+/// Each record needs an excitation of its own: aileron in one, rudder in the other. Nobody needs to have measured it; where it was (--inputs), one record is enough. Numbers are converted to SI with
 /// angles in radians where a file states units, and options in the sensors' units are in those.
 #[derive(Clone, Debug, Default, clap::Args)]
 #[command(after_help = HELP)]
@@ -63,9 +64,32 @@ pub(crate) struct IdentifyArgs {
     #[arg(long, value_name = "FILE[:START:END]", value_hint = ValueHint::FilePath, conflicts_with = "noise")]
     pub(crate) noise_record: Option<QuietFile>,
 
-    /// A column of the records that holds a measured input, a yaw damper's say. May be given several times.
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) known_input: Vec<String>,
+    /// Columns that hold recorded inputs: control surfaces, a yaw damper's output. A file without one of them is one in which it did not move.
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN,..", alias = "known-input")]
+    pub(crate) inputs: Vec<String>,
+
+    /// Whether something that was not recorded may have excited the system as well, with --inputs
+    /// [default: auto, only if the inputs leave too much unexplained].
+    #[arg(long, value_enum, value_name = "yes|no|auto", requires = "inputs")]
+    pub(crate) unknown_excitation: Option<ExcitationAsked>,
+
+    /// The form of the equations, with --inputs: a black box of so many states, or the lateral equations with their derivatives
+    /// [default: auto, what is more likely].
+    #[arg(long, value_enum, value_name = "FORM", requires = "inputs")]
+    pub(crate) structure: Option<StructureAsked>,
+
+    /// A sensor or an input that is late, with --inputs: by so many seconds, or by a lag that is estimated. May be given several times.
+    #[arg(
+        long,
+        value_name = "COLUMN=SECONDS|free",
+        requires = "inputs",
+        allow_hyphen_values = true
+    )]
+    pub(crate) lag: Vec<LagAsked>,
+
+    /// A record that the fit does not see, with the same columns: how well the model predicts it is said. May be given several times.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "inputs")]
+    pub(crate) validate: Vec<PathBuf>,
 
     /// Class of the aircraft after MIL-F-8785C, for flying-quality levels: I, II-L, II-C, III or IV.
     #[arg(long, value_name = "CLASS", requires = "flight_phase")]
@@ -117,6 +141,7 @@ Examples:
   transmode identify aileron.csv rudder.csv --outputs beta,p,r
   transmode identify aileron.csv rudder.csv --noise-record calm.csv --json modes.json
   transmode identify --window flight.mat:10:40 --window flight.mat:60:90 --outputs beta,p,r --offsets 0.002,0.005,0.005
+  transmode identify flight.csv --outputs beta,p,r --inputs aileron,rudder --lag beta=free --validate other.csv
   transmode identify --config run.toml --order 4
 
 run.toml:

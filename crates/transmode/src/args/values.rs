@@ -95,6 +95,60 @@ pub(crate) enum HoldAsked {
     FirstOrder,
 }
 
+/// Whether something that was not recorded excited the system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum ExcitationAsked {
+    /// Only if the recorded inputs leave too much unexplained.
+    Auto,
+    /// In each record, something did.
+    Yes,
+    /// The recorded inputs are all there was.
+    No,
+}
+
+/// The form of the equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum StructureAsked {
+    /// What is more likely.
+    Auto,
+    /// A system of so many states, of which nothing else is known.
+    BlackBox,
+    /// The lateral equations of an aircraft: states beta, p, r and phi.
+    Lateral,
+}
+
+/// By how much a column is late.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LagAsked {
+    pub(crate) column: String,
+    /// In s; `None` where it is to be estimated.
+    pub(crate) seconds: Option<f64>,
+}
+
+impl FromStr for LagAsked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        const FORM: &str = "a lag is written COLUMN=SECONDS, or COLUMN=free to estimate it";
+        let (column, lag) = text.rsplit_once('=').ok_or(FORM)?;
+        let (column, lag) = (column.trim().to_owned(), lag.trim());
+        if column.is_empty() {
+            return Err(FORM.to_owned());
+        }
+        let seconds = match lag {
+            "free" => None,
+            number => {
+                let seconds: f64 = number.parse().map_err(|_| FORM)?;
+                if !(-10.0..=10.0).contains(&seconds) {
+                    return Err("a lag is a number of seconds from -10 to 10".to_owned());
+                }
+                Some(seconds)
+            }
+        };
+        Ok(Self { column, seconds })
+    }
+}
+
 /// A band of frequencies in rad/s, either end open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Band {

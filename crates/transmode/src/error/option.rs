@@ -83,7 +83,7 @@ pub enum OptionError {
     },
     /// A measured input that says nothing.
     #[error(
-        "--known-input: {column} is constant in {record}, {value} throughout, and tells nothing; leave it out"
+        "--inputs: {column} is constant in {record}, {value} throughout, and tells nothing; leave it out"
     )]
     ConstantInput {
         /// The input.

@@ -158,7 +158,7 @@ pub enum SelectionError {
     #[error("no record is given; name files, or stretches of files with --window")]
     NoFile,
     /// A measured input that cannot be one.
-    #[error("--known-input names {column:?} {why}")]
+    #[error("--inputs names {column:?} {why}")]
     BadKnownInput {
         /// The column.
         column: String,

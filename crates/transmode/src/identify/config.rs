@@ -84,7 +84,10 @@ impl Place<'_> {
 }
 
 fn is_called(argument: &Arg, name: &str) -> bool {
-    argument.get_long() == Some(name) || (argument.is_positional() && argument.get_id() == name)
+    let aliases = argument.get_all_aliases().unwrap_or_default();
+    argument.get_long() == Some(name)
+        || aliases.contains(&name)
+        || (argument.is_positional() && argument.get_id() == name)
 }
 
 /// Whether the command line has the option, or one that takes its place.

@@ -1,7 +1,8 @@
 //! Everything that is read before anything is computed: records, measured inputs, the quiet record; and what gaps make of them.
 
-use reconstruct::{ReconstructError, Record};
+use reconstruct::{Excitation, ReconstructError, Record};
 
+use super::options;
 use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{MethodName, QuietFile};
@@ -23,15 +24,16 @@ pub(super) struct Input {
 /// Reads all files and refuses what cannot be used.
 pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, CommandError> {
     let mut options = args.files.options();
-    options.known_inputs = args.known_input.iter().map(|name| name.trim().to_owned()).collect();
+    options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
     let loaded = records::load(&args.files.files, &options, progress)?;
-    let Loaded { records, sources, known_inputs, warnings } = loaded;
+    let Loaded { records, sources, known_inputs, warnings, .. } = loaded;
     let mut input = Input { records, sources, known_inputs, noise: None, warnings };
-    check_number(args.method(), &input)?;
+    check_number(args, &input)?;
     if args.method() == MethodName::AsPrinted {
         keep_longest(&mut input);
     }
-    leave_out_idle(&mut input, &options.known_inputs)?;
+    let unrecorded = !takes_inputs_alone(args);
+    leave_out_idle(&mut input, &options.known_inputs, unrecorded)?;
     if let Some(file) = &args.noise_record {
         let noise = quiet(file, &options, &mut input, progress)?;
         input.noise = Some(noise);
@@ -40,9 +42,13 @@ pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, Com
 }
 
 /// Refuses fewer excitations than the method needs. The stretches between the gaps of one record are taken to have one excitation.
-fn check_number(method: MethodName, input: &Input) -> Result<(), CommandError> {
+fn check_number(args: &IdentifyArgs, input: &Input) -> Result<(), CommandError> {
+    let method = args.method();
     let sensors = input.records.first().map_or(0, |record| record.channels().len());
     check_channels(&input.records)?;
+    if takes_inputs_alone(args) {
+        return Ok(());
+    }
     let found = input.sources.last().map_or(0, |last| last.whole + 1);
     let fewest = if method == MethodName::AsPrinted { 3 } else { 2 };
     if sensors < fewest {
@@ -112,8 +118,20 @@ fn keep<T>(items: &mut Vec<T>, kept: &[usize]) {
     items.retain(|_| next.next().is_some_and(|index| kept.contains(&index)));
 }
 
-/// Refuses measured inputs that are constant, but for those that rest at zero in some of the records: there they are left out.
-fn leave_out_idle(input: &mut Input, names: &[String]) -> Result<(), CommandError> {
+/// Whether the recorded inputs may be all that moved the system: then one record is enough.
+pub(super) fn takes_inputs_alone(args: &IdentifyArgs) -> bool {
+    args.method() == MethodName::Ml
+        && !args.inputs.is_empty()
+        && options::excitation(args) != Excitation::Unrecorded
+}
+
+/// Refuses recorded inputs that are constant in all records. Beside something that was not recorded, one that is constant in some of them, but not zero,
+/// is refused as well. Where an input rests it is set to zero.
+fn leave_out_idle(
+    input: &mut Input,
+    names: &[String],
+    unrecorded: bool,
+) -> Result<(), CommandError> {
     if names.is_empty() {
         input.known_inputs.clear();
         return Ok(());
@@ -127,24 +145,70 @@ fn leave_out_idle(input: &mut Input, names: &[String]) -> Result<(), CommandErro
         let constants: Vec<_> =
             input.known_inputs.iter().map(|list| value(&list[position])).collect();
         let rests_always = constants.iter().all(Option::is_some);
-        for (constant, record) in constants.iter().zip(&input.records) {
+        for (index, constant) in constants.iter().enumerate() {
+            let record = input.records[index].name().to_owned();
             match constant {
-                Some(value) if rests_always || value.abs() > 0.0 => {
-                    let (column, record) = (column.clone(), record.name().to_owned());
+                Some(value) if rests_always || (unrecorded && value.abs() > 0.0) => {
+                    let column = column.clone();
                     return Err(OptionError::ConstantInput { column, record, value: *value }.into());
                 }
-                Some(_) => input.warnings.push(LoadWarning::IdleInput {
-                    record: record.name().to_owned(),
-                    column: column.clone(),
-                }),
+                Some(_) => {
+                    input.known_inputs[index][position].fill(0.0);
+                    let missing = input.warnings.iter().any(|warning| {
+                        let file = record.split('#').next().unwrap_or_default();
+                        matches!(warning, LoadWarning::InputMissing { file: other, column: own } if file.starts_with(other.as_str()) && own == column)
+                    });
+                    if !missing {
+                        let column = column.clone();
+                        input.warnings.push(LoadWarning::IdleInput { record, column });
+                    }
+                }
                 None => {}
             }
         }
     }
-    for list in &mut input.known_inputs {
-        list.retain(|signal| signal.iter().any(|value| value.abs() > 0.0));
-    }
     Ok(())
+}
+
+/// Records that the fit does not see.
+#[derive(Debug, Default)]
+pub(super) struct HeldOut {
+    pub(super) records: Vec<Record>,
+    /// For each record its inputs.
+    pub(super) inputs: Vec<Vec<Vec<f64>>>,
+}
+
+/// Reads records that the fit does not see, with the sensors and inputs of the others.
+pub(super) fn validation(
+    args: &IdentifyArgs,
+    input: &Input,
+    progress: Progress,
+) -> Result<HeldOut, CommandError> {
+    if args.validate.is_empty() {
+        return Ok(HeldOut::default());
+    }
+    let mut options = args.files.options();
+    options.windows.clear();
+    options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
+    if let Some(record) = input.records.first() {
+        let names = record.channels().iter().map(|channel| channel.name.clone());
+        options.selection.outputs = names.collect();
+    }
+    let Loaded { records, known_inputs, .. } = records::load(&args.validate, &options, progress)?;
+    let same = |record: &Record| {
+        let (own, other) = (record.period().seconds(), input.records[0].period().seconds());
+        (own - other).abs() <= 1e-3 * other
+    };
+    if let Some(record) = records.iter().find(|record| !same(record)) {
+        let message = format!(
+            "{} is sampled every {} s, the other records every {} s; resample it",
+            record.name(),
+            record.period().seconds(),
+            input.records[0].period().seconds()
+        );
+        return Err(OptionError::Refused { option: "--validate", message }.into());
+    }
+    Ok(HeldOut { records, inputs: known_inputs })
 }
 
 /// Reads the quiet record with the sensors of the others.

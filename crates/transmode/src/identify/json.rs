@@ -1,6 +1,7 @@
 //! The result as JSON: a stable form for other programs, which docs/identify.schema.json describes.
 
 mod paper;
+mod recorded;
 
 use reconstruct::likelihood::{Estimate, Hold, SearchStatus};
 use reconstruct::subspace::OrderEvidence;
@@ -12,6 +13,7 @@ use crate::CommandError;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
 use paper::TransmissibilityOutput;
+use recorded::RecordedOutput;
 
 #[derive(Serialize)]
 struct Output<'a> {
@@ -37,6 +39,7 @@ struct Output<'a> {
     /// Smallest spread of a group of zeros that the paper's method refused as a mode.
     closest_refused: Option<f64>,
     transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
+    recorded_inputs: Option<RecordedOutput<'a>>,
     warnings: Vec<Warning>,
 }
 
@@ -151,14 +154,20 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     let result = outcome.result;
     let solution = result.paper();
     let fit = result.fit();
+    let output_error = result.output_error();
     let doubts =
         result.doubts.iter().map(|doubt| Warning { code: doubt.code(), text: doubt.to_string() });
     let warnings = outcome.warnings.iter();
     let output = Output {
         schema: 1,
-        method: outcome.method.word(),
+        method: if output_error.is_some() { "output-error" } else { outcome.method.word() },
         order: result.order().map_or_else(
-            || solution.map_or(0, |solution| solution.modes.len()),
+            || {
+                output_error.map_or_else(
+                    || solution.map_or(0, |solution| solution.modes.len()),
+                    |fit| fit.model.a().nrows(),
+                )
+            },
             |evidence| evidence.order,
         ),
         order_evidence: result.order().map(|evidence| order(evidence, result.compared_orders())),
@@ -170,18 +179,26 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         noise_origin: outcome.noise_origin(),
         model_error: fit
             .and_then(|fit| fit.model_error)
+            .or_else(|| output_error.map(|fit| fit.model_error))
             .map(|error| ModelErrorOutput { value: error.value, deviation: error.standard_error }),
-        offsets: fit.map(|fit| match fit.options.measurement.offsets {
-            Offsets::Free => "free",
-            Offsets::PriorDeviation(_) => "prior",
-            _ => "zero",
-        }),
+        offsets: fit
+            .map(|fit| match fit.options.measurement.offsets {
+                Offsets::Free => "free",
+                Offsets::PriorDeviation(_) => "prior",
+                _ => "zero",
+            })
+            .or_else(|| output_error.map(|_| "free")),
         offset_values: offsets(outcome),
-        drift: fit.map(|fit| fit.options.measurement.trend == Trend::Linear),
+        drift: fit
+            .map(|fit| fit.options.measurement.trend == Trend::Linear)
+            .or_else(|| output_error.map(|fit| fit.drift)),
         band_rad_s: fit
             .and_then(|fit| fit.options.band)
+            .or_else(|| output_error.map(|fit| fit.band))
             .map(|band| [band.lowest_rad_s, band.highest_rad_s]),
-        hold: fit.map(hold),
+        hold: fit
+            .map(|fit| hold(fit.hold, fit.hold_evidence))
+            .or_else(|| output_error.map(|fit| hold(fit.hold, fit.hold_evidence))),
         goodness: GoodnessOutput {
             chi2_per_dof: fit.map(|fit| fit.chi_squared.per_degree_of_freedom()),
             p_value: fit.and_then(|fit| fit.chi_squared.p_value),
@@ -189,6 +206,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         search: fit.map(search),
         closest_refused: solution.and_then(|solution| solution.shared.closest_refused),
         transmissibilities: solution.map(paper::transmissibilities),
+        recorded_inputs: recorded::recorded(outcome),
         warnings: warnings
             .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
             .chain(doubts)
@@ -291,9 +309,9 @@ fn offsets<'a>(outcome: &Outcome<'a>) -> Vec<OffsetOutput<'a>> {
         .collect()
 }
 
-fn hold(fit: &likelihood::Fit) -> HoldOutput {
-    let order = if fit.hold == Hold::FirstOrder { 1 } else { 0 };
-    HoldOutput { order, evidence: fit.hold_evidence }
+fn hold(hold: Hold, evidence: Option<f64>) -> HoldOutput {
+    let order = if hold == Hold::FirstOrder { 1 } else { 0 };
+    HoldOutput { order, evidence }
 }
 
 fn search(fit: &likelihood::Fit) -> SearchOutput {

@@ -4,12 +4,16 @@ use std::f64::consts::PI;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
 use reconstruct::likelihood::{FrequencyBand, Hold};
+use reconstruct::output_error::{self as recorded, Lag, RecordedInputs};
 use reconstruct::subspace::OrderChoice;
-use reconstruct::{Method, NoiseModel, Offsets, Options, Record, Trend};
+use reconstruct::{Excitation, Method, NoiseModel, Offsets, Options, Record, Trend};
 
 use crate::CommandError;
 use crate::args::IdentifyArgs;
-use crate::args::values::{HoldAsked, MethodName, OffsetsAsked, OrderAsked, threads_or_all};
+use crate::args::values::{
+    ExcitationAsked, HoldAsked, LagAsked, MethodName, OffsetsAsked, OrderAsked, StructureAsked,
+    threads_or_all,
+};
 use crate::error::OptionError;
 
 /// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
@@ -20,7 +24,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
     use MethodName::{AsPrinted, Ml, Subspace};
     const BOTH: &[MethodName] = &[Ml, Subspace];
     let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
-    let known: [(&'static str, bool, &[MethodName]); 15] = [
+    let known: [(&'static str, bool, &[MethodName]); 19] = [
         ("--order", args.order.is_some(), BOTH),
         ("--offsets with deviations", deviations, &[Ml]),
         ("--offsets", args.offsets.is_some(), BOTH),
@@ -31,7 +35,11 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
         ("--noise", !args.noise.is_empty(), BOTH),
         ("--white-noise", args.white_noise.is_some(), &[Ml]),
         ("--noise-record", args.noise_record.is_some(), BOTH),
-        ("--known-input", !args.known_input.is_empty(), BOTH),
+        ("--inputs", !args.inputs.is_empty(), BOTH),
+        ("--unknown-excitation", args.unknown_excitation.is_some(), &[Ml]),
+        ("--structure", args.structure.is_some(), &[Ml]),
+        ("--lag", !args.lag.is_empty(), &[Ml]),
+        ("--validate", !args.validate.is_empty(), &[Ml]),
         ("--threads", args.threads.is_some(), &[Ml]),
         ("--iir", args.iir.is_some(), &[AsPrinted]),
         ("--causal", args.causal.is_some(), &[AsPrinted]),
@@ -100,13 +108,87 @@ pub(super) fn options(
         None if args.noise.is_empty() => NoiseModel::Estimated,
         None => NoiseModel::Levels(one_each("--noise", &args.noise, &sensors)?),
     };
-    options.measurement.known_inputs = known_inputs;
+    let names: Vec<String> = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
+    (options.sensor_lags, options.input_lags) = lags(args, &sensors, &names)?;
+    options.inputs = RecordedInputs { names, signals: known_inputs };
+    options.excitation = excitation(args);
+    options.structure = match args.structure {
+        None | Some(StructureAsked::Auto) => recorded::Structure::Automatic,
+        Some(StructureAsked::BlackBox) => recorded::Structure::BlackBox,
+        Some(StructureAsked::Lateral) => recorded::Structure::Lateral,
+    };
+    refuse_beside_recorded_inputs(args)?;
     let length = |given: Option<usize>, default: usize| given.unwrap_or(default);
     let orders =
         Orders::new(length(args.iir, 4), length(args.causal, 25), length(args.anticausal, 25))
             .map_err(|error| CommandError::Reconstruct(error.to_string()))?;
     options.paper.identification.structure = Structure::new(orders, ConstantTerm::Omitted);
     Ok(options)
+}
+
+/// The lag of each sensor and of each input; empty where none is late.
+fn lags(
+    args: &IdentifyArgs,
+    sensors: &[String],
+    inputs: &[String],
+) -> Result<(Vec<Lag>, Vec<Lag>), CommandError> {
+    const OPTION: &str = "--lag";
+    if args.lag.is_empty() {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    let all: Vec<String> = sensors.iter().chain(inputs).cloned().collect();
+    let mut lags: Vec<Option<Lag>> = vec![None; all.len()];
+    for LagAsked { column, seconds } in &args.lag {
+        let Some(index) = all.iter().position(|name| name == column) else {
+            let (column, sensors) = (column.clone(), all);
+            return Err(OptionError::NoSensor { option: OPTION, column, sensors }.into());
+        };
+        if lags[index].is_some() {
+            return Err(OptionError::Twice { option: OPTION, column: column.clone() }.into());
+        }
+        lags[index] = Some(seconds.map_or(Lag::Free, Lag::Given));
+    }
+    let free = |lag: &Option<Lag>| *lag == Some(Lag::Free);
+    if lags.iter().all(free) {
+        let message =
+            "not all sensors and inputs can be late by a lag that is estimated; leave one in time"
+                .to_owned();
+        return Err(OptionError::Refused { option: OPTION, message }.into());
+    }
+    let mut all = lags.into_iter().map(|lag| lag.unwrap_or(Lag::Given(0.0)));
+    let of_sensors = all.by_ref().take(sensors.len()).collect();
+    Ok((of_sensors, all.collect()))
+}
+
+/// What else than the recorded inputs may have excited the system. Who says what noise there is, leaves nothing to estimate from what recorded inputs leave
+/// unexplained.
+pub(super) fn excitation(args: &IdentifyArgs) -> Excitation {
+    let has_noise =
+        !args.noise.is_empty() || args.noise_record.is_some() || args.white_noise == Some(true);
+    match args.unknown_excitation {
+        Some(ExcitationAsked::No) => Excitation::Recorded,
+        Some(ExcitationAsked::Yes) => Excitation::Unrecorded,
+        None | Some(ExcitationAsked::Auto) if has_noise => Excitation::Unrecorded,
+        None | Some(ExcitationAsked::Auto) => Excitation::AsNeeded,
+    }
+}
+
+/// Refuses noise that is given where all inputs are recorded: there the disturbance is estimated from the residuals, whatever it is.
+fn refuse_beside_recorded_inputs(args: &IdentifyArgs) -> Result<(), CommandError> {
+    let given = [
+        ("--noise", !args.noise.is_empty()),
+        ("--noise-record", args.noise_record.is_some()),
+        ("--white-noise", args.white_noise.is_some()),
+    ];
+    let given = given.iter().find(|(_, is_given)| *is_given);
+    match given {
+        Some((option, _)) if args.unknown_excitation == Some(ExcitationAsked::No) => {
+            let message = "with --unknown-excitation no the disturbance is estimated from what the inputs leave unexplained, whatever its spectrum; leave one of both out"
+                .to_owned();
+            Err(OptionError::Refused { option, message }.into())
+        }
+        _ => Ok(()),
+    }
 }
 
 fn one_each(

@@ -1,6 +1,7 @@
 //! All that there is to say of one run, for the terminal, the JSON and the report.
 
 use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, NamedMode, level};
+use reconstruct::output_error::Simulation;
 use reconstruct::subspace::NoiseOrigin;
 use reconstruct::{ComparedOrder, Doubt, Options, Reconstruction, Record, likelihood, subspace};
 use report::format_significant;
@@ -26,6 +27,15 @@ pub(crate) struct Outcome<'a> {
     /// For flying-quality levels, which are left out without it.
     pub(crate) flying_qualities: Option<FlyingQualitiesCase>,
     pub(crate) warnings: &'a [LoadWarning],
+    /// Records that the fit did not see, as the model predicts them.
+    pub(crate) predictions: &'a [Prediction],
+}
+
+/// A record that the fit did not see.
+#[derive(Clone, Debug)]
+pub(crate) struct Prediction {
+    pub(crate) record: Record,
+    pub(crate) simulation: Simulation,
 }
 
 /// What MIL-F-8785C makes flying-quality levels depend on.

@@ -31,7 +31,8 @@ pub(super) fn sentence(error: &ReconstructError, noise: Option<&str>) -> Command
             "--noise"
         }
         ReconstructError::Option { name, message } => match *name {
-            "known inputs" => return refused("--known-input", message.clone()),
+            "known inputs" | "recorded inputs" => return refused("--inputs", message.clone()),
+            "structure" => return refused("--structure", message.clone()),
             "band" => return refused("--band", message.clone()),
             "deviations of offsets" => return refused("--offsets", message.clone()),
             "noise levels" => return refused("--noise", message.clone()),

@@ -14,6 +14,7 @@ mod mode_table;
 mod order;
 mod pole_map;
 mod provenance;
+mod recorded;
 mod residuals;
 mod spectra;
 mod stabilisation;
@@ -48,7 +49,9 @@ pub(super) fn draw(
     let _working = progress.work("drawing the report");
     let mut document = Document::new("Modes from sensor records")
         .generator(format!("{PROGRAM} {}", env!("CARGO_PKG_VERSION")));
-    for section in SECTIONS {
+    let sections =
+        if outcome.result.output_error().is_some() { &WITH_INPUTS[..] } else { &SECTIONS[..] };
+    for section in sections {
         section(outcome)?.into_iter().for_each(|block| document.push(block));
     }
     let fault = |error: report::ReportError| CommandError::Report(error.to_string());
@@ -99,6 +102,10 @@ const SECTIONS: [Section; 9] = [
     transmissibility::blocks,
     provenance::blocks,
 ];
+
+/// The same where all inputs were recorded.
+const WITH_INPUTS: [Section; 5] =
+    [summary::blocks, mode_table::blocks, pole_map::blocks, recorded::blocks, provenance::blocks];
 
 #[cfg(test)]
 mod tests;

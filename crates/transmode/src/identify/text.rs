@@ -2,6 +2,7 @@
 
 mod evidence;
 mod paper;
+mod recorded;
 
 use std::fmt::Write;
 
@@ -35,9 +36,10 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
     if !outcome.found.is_empty() {
         let _ = writeln!(text, "\n{}", table(outcome));
     }
-    let summary = match outcome.result.paper() {
-        Some(solution) => paper::summary(solution),
-        None => evidence::summary(outcome),
+    let summary = match (outcome.result.paper(), outcome.result.output_error()) {
+        (Some(solution), _) => paper::summary(solution),
+        (_, Some(fit)) => recorded::summary(outcome, fit),
+        _ => evidence::summary(outcome),
     };
     let _ = writeln!(text, "\n{summary}");
     for warning in outcome.warnings {
@@ -59,13 +61,16 @@ fn method(outcome: &Outcome<'_>) -> String {
         (MethodName::Subspace, _) => {
             format!("intersection of signal subspaces of {}", names.join(", "))
         }
+        _ if outcome.result.output_error().is_some() => {
+            format!("output error with recorded inputs, from {}", names.join(", "))
+        }
         _ => format!("maximum likelihood from {}", names.join(", ")),
     }
 }
 
 /// One line for each mode; columns that the method or the command line does not fill are left out.
 fn table(outcome: &Outcome<'_>) -> Table {
-    let estimated = outcome.result.fit().is_some();
+    let estimated = outcome.found.iter().any(|found| found.mode.estimate.is_some());
     let by_paper = outcome.result.paper().is_some();
     let levels = outcome.flying_qualities.is_some();
     let columns = [

@@ -25,22 +25,31 @@ pub(super) fn check(options: &LoadOptions) -> Result<(), CommandError> {
     Ok(())
 }
 
-/// Puts the columns of the measured inputs behind the sensors, and takes them from among these where all columns are sensors by default.
+/// Puts the columns of the measured inputs behind the sensors, and takes them from among these where all columns are sensors by default. For each input the
+/// reason why the file has no such column, if it has none.
 pub(super) fn select(
     file: &Path,
     headings: &[Heading],
     options: &LoadOptions,
     selected: &mut Selected,
-) -> Result<(), CommandError> {
+) -> Result<Vec<Option<CommandError>>, CommandError> {
     let mut inputs: Vec<usize> = Vec::new();
+    let mut missing = Vec::new();
     for column in &options.known_inputs {
-        let index = position(file, headings, column)?;
+        let index = match position(file, headings, column) {
+            Ok(index) => index,
+            Err(error) => {
+                missing.push(Some(error));
+                continue;
+            }
+        };
+        missing.push(None);
         // `da` and `da [deg]` are one column.
         if inputs.contains(&index) {
-            return fault(column, "twice");
+            return Err(refused(column, "twice"));
         }
         if selected.time.is_some_and(|time| time.index == index) {
-            return fault(column, "but it is the column of time");
+            return Err(refused(column, "but it is the column of time"));
         }
         let heading = &headings[index];
         if let Some(reason) = &heading.fault {
@@ -67,18 +76,22 @@ pub(super) fn select(
     if options.selection.outputs.is_empty() {
         selected.sensors.retain(|sensor| !is_input(sensor.index));
         if let (true, Some(column)) = (selected.sensors.is_empty(), options.known_inputs.first()) {
-            return fault(column, "and leaves no column for the sensors");
+            return Err(refused(column, "and leaves no column for the sensors"));
         }
     } else if let Some(sensor) = selected.sensors.iter().find(|sensor| is_input(sensor.index)) {
         let why = "and --outputs, too; a column is an input or a sensor";
-        return fault(&headings[sensor.index].name, why);
+        return Err(refused(&headings[sensor.index].name, why));
     }
     for index in inputs {
         selected.sensors.push(wanted(file, headings, index)?);
     }
-    Ok(())
+    Ok(missing)
 }
 
 fn fault(column: &str, why: &'static str) -> Result<(), CommandError> {
-    Err(SelectionError::BadKnownInput { column: column.to_owned(), why }.into())
+    Err(refused(column, why))
+}
+
+fn refused(column: &str, why: &'static str) -> CommandError {
+    SelectionError::BadKnownInput { column: column.to_owned(), why }.into()
 }

@@ -32,6 +32,8 @@ pub(crate) struct Loaded {
     /// For each record the measured inputs, in the order in which they were asked for.
     pub(crate) known_inputs: Vec<Vec<Vec<f64>>>,
     pub(crate) warnings: Vec<LoadWarning>,
+    /// For each file and measured input the reason why the file has no such column, if it has none.
+    missing_inputs: Vec<Vec<Option<CommandError>>>,
 }
 
 /// Reads the records in `files`, and those in windows of files that are not among them.
@@ -55,13 +57,39 @@ pub(crate) fn load(
         sources: Vec::new(),
         known_inputs: Vec::new(),
         warnings: Vec::new(),
+        missing_inputs: Vec::new(),
     };
     for (file, windows) in &files {
         read(file, windows, options, progress, &mut loaded)?;
     }
+    check_missing_inputs(&files, options, &mut loaded)?;
     let warnings = same_units::check(&loaded.records, &loaded.sources)?;
     loaded.warnings.extend(warnings);
     Ok(loaded)
+}
+
+/// Refuses inputs that no file has, and says of others where they are missing: there they did not move.
+fn check_missing_inputs(
+    files: &[(&Path, Vec<&Window>)],
+    options: &LoadOptions,
+    loaded: &mut Loaded,
+) -> Result<(), CommandError> {
+    let mut missing = std::mem::take(&mut loaded.missing_inputs);
+    for (input, column) in options.known_inputs.iter().enumerate() {
+        if missing.iter().all(|of_file| of_file[input].is_some())
+            && let Some(error) = missing.first_mut().and_then(|of_file| of_file[input].take())
+        {
+            return Err(error);
+        }
+        for ((file, _), of_file) in files.iter().zip(&missing) {
+            if of_file[input].is_some() {
+                let file = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy();
+                let (file, column) = (file.into_owned(), column.clone());
+                loaded.warnings.push(LoadWarning::InputMissing { file, column });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Each file once, with its windows.
@@ -98,6 +126,8 @@ struct Recording<'a> {
     times: Times,
     /// Of the sensors.
     units: Vec<Option<&'static str>>,
+    /// For each measured input whether the file has a column of it.
+    has_input: Vec<bool>,
 }
 
 fn read(
@@ -107,7 +137,8 @@ fn read(
     progress: Progress,
     loaded: &mut Loaded,
 ) -> Result<(), CommandError> {
-    let mut recording = recording(file, options, progress)?;
+    let (mut recording, missing) = recording(file, options, progress)?;
+    loaded.missing_inputs.push(missing);
     let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
     if windows.is_empty() {
         let rows = 0..recording.times.samples();
@@ -150,14 +181,16 @@ fn recording<'a>(
     file: &'a Path,
     options: &LoadOptions,
     progress: Progress,
-) -> Result<Recording<'a>, CommandError> {
+) -> Result<(Recording<'a>, Vec<Option<CommandError>>), CommandError> {
     let opened = open(file, progress)?;
     let mut selected = options.selection.select(file, opened.format(), opened.headings())?;
-    known_inputs::select(file, opened.headings(), options, &mut selected)?;
+    let missing = known_inputs::select(file, opened.headings(), options, &mut selected)?;
+    let has_input: Vec<bool> = missing.iter().map(Option::is_none).collect();
     let (table, times) = in_si(file, opened, &selected, &options.selection.time)?;
-    let sensor_count = selected.sensors.len() - options.known_inputs.len();
+    let inputs = has_input.iter().filter(|has| **has).count();
+    let sensor_count = selected.sensors.len() - inputs;
     let units = selected.sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
-    Ok(Recording { file, table, times, units })
+    Ok((Recording { file, table, times, units, has_input }, missing))
 }
 
 /// Reads the selected columns of a file: their numbers in SI, and their times.
@@ -268,8 +301,12 @@ impl Recording<'_> {
             Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;
         let first = stretch.start + margin;
         let last = first + (record.samples().saturating_sub(1)) * factor.get();
+        let mut known = known.into_iter().map(|channel| channel.values);
+        let still = || vec![0.0; record.samples()];
+        let of = |has: &bool| if *has { known.next().unwrap_or_else(still) } else { still() };
+        let inputs = self.has_input.iter().map(of).collect();
+        loaded.known_inputs.push(inputs);
         loaded.records.push(record);
-        loaded.known_inputs.push(known.into_iter().map(|channel| channel.values).collect());
         loaded.sources.push(Source {
             file: self.file.to_owned(),
             span_s: [self.times.at(first), self.times.at(last)],

@@ -40,7 +40,9 @@ pub(crate) enum LoadWarning {
     WindowsOverlap { records: [String; 2] },
     /// A sensor whose unit the first file states and the second does not.
     UnitMissing { files: [String; 2], column: String, unit: &'static str },
-    /// A measured input that rests at zero in a record.
+    /// A recorded input that a file has no column of.
+    InputMissing { file: String, column: String },
+    /// A recorded input that rests in a record.
     IdleInput { record: String, column: String },
     /// A record in which `monitor` finds no span.
     NoSpan {
@@ -61,6 +63,7 @@ impl LoadWarning {
             Self::WindowCut { .. } => "window-cut",
             Self::WindowsOverlap { .. } => "windows-overlap",
             Self::UnitMissing { .. } => "unit-missing",
+            Self::InputMissing { .. } => "input-missing",
             Self::IdleInput { .. } => "idle-input",
             Self::NoSpan { .. } => "no-span",
         }
@@ -91,11 +94,12 @@ impl fmt::Display for LoadWarning {
                 "{silent} does not say the unit of {column}, and its numbers are taken to be in {unit}, as {stated} has it"
             ),
             Self::IdleInput { record, column } => {
-                write!(
-                    f,
-                    "the known input {column} rests at zero in {record} and is left out there"
-                )
+                write!(f, "the recorded input {column} rests in {record} and is left out there")
             }
+            Self::InputMissing { file, column } => write!(
+                f,
+                "{file} has no column {column:?}: that input is taken not to have moved in it"
+            ),
             Self::NoSpan { record, samples, needed } => write!(
                 f,
                 "{record} was left out: its {samples} samples are too few for one span, which takes {needed}"

@@ -1,52 +1,24 @@
-//! What the sensors read of an excitation that moves on between samples.
-//!
-//! Let u go straight from sample to sample, and M = log A. Then x(k+1) = A x(k) + T phi_1 b_c u(k) + T phi_2 b_c (u(k+1) - u(k)) with phi_1 = (e^M - I) / M and
-//! phi_2 = (e^M - I - M) / M^2 (the triangle hold of Franklin, Powell & Workman, Digital Control of Dynamic Systems, 3rd ed., 1997). The state
-//! w = x - T phi_2 b_c u makes that the usual form:
-//!
-//! ```text
-//! w(k+1) = A w(k) + b u(k),  y(k) = C w(k) + d u(k),  b = T phi_1^2 b_c,  d = C T phi_2 b_c = C K(A) b,
-//! K(A) = (A - I - log A) (A - I)^-2 = integral of t (I + t (A - I))^-1 over t from 0 to 1.
-//! ```
-//!
-//! So the hold costs no parameter: d follows from A, C and b. The integral needs no logarithm and no case for eigenvalues at 1; by Gauss's rule it
-//! is a rational function, whose derivative is that of each of its terms.
+//! The part of an excitation that moves on straight between samples which the sensors read directly.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::parameters::{Layout, System};
 use crate::likelihood::options::Hold;
+use crate::model::triangle_hold::TriangleHold;
 
-/// Points of Gauss's rule. The error is below 1e-9 for eigenvalues of modes with more than four samples a period, and 1e-6 for one that
-/// decays to a tenth in one sample.
-const POINTS: usize = 12;
-
-/// K(A) and the terms that its derivative needs.
-pub(crate) struct FirstOrder {
-    k: DMatrix<f64>,
-    /// w_i t_i^2, and (I + t_i (A - I))^-1.
-    terms: Vec<(f64, DMatrix<f64>)>,
-}
+/// d_j of the sensors whose entries are not free.
+pub(crate) struct FirstOrder(TriangleHold);
 
 impl FirstOrder {
     /// `None` where an eigenvalue of A is negative and hits a point of the rule.
     pub(crate) fn new(a: &DMatrix<f64>) -> Option<Self> {
-        let n = a.nrows();
-        let identity = DMatrix::identity(n, n);
-        let mut k = DMatrix::zeros(n, n);
-        let mut terms = Vec::with_capacity(POINTS);
-        for (t, weight) in gauss(POINTS) {
-            let inverse = (&identity + (a - &identity) * t).try_inverse()?;
-            k += &inverse * (weight * t);
-            terms.push((weight * t * t, inverse));
-        }
-        k.iter().all(|entry| entry.is_finite()).then_some(Self { k, terms })
+        TriangleHold::new(a).map(Self)
     }
 
     /// Sets the entries of d_j that are not free.
     pub(crate) fn tie(&self, system: &mut System, layout: &Layout) {
         for record in 0..layout.records {
-            let read = &system.c * (&self.k * &system.b[record]);
+            let read = &system.c * (&self.0.k * &system.b[record]);
             for sensor in tied(layout) {
                 system.d[record][sensor] = read[sensor];
             }
@@ -63,18 +35,13 @@ impl FirstOrder {
         for (place, &sensor) in layout.feedthrough.iter().enumerate() {
             tangent[(before + sensor, before + place)] = 1.0;
         }
-        let driven = &self.k * b;
-        let weights = &system.c * &self.k;
+        let driven = &self.0.k * b;
+        let weights = &system.c * &self.0.k;
         for sensor in tied(layout) {
             let row = before + sensor;
-            for (weight, inverse) in &self.terms {
-                let left = system.c.row(sensor) * inverse;
-                let right = inverse * b;
-                for l in 0..n {
-                    for i in 0..n {
-                        tangent[(row, l * n + i)] -= weight * left[i] * right[l];
-                    }
-                }
+            let slope = self.0.slope(&system.c.row(sensor).into_owned(), b);
+            for (k, entry) in slope.iter().enumerate() {
+                tangent[(row, k)] = *entry;
             }
             for l in 0..n {
                 tangent[(row, n * n + l * m + sensor)] = driven[l];
@@ -90,34 +57,6 @@ fn tied(layout: &Layout) -> impl Iterator<Item = usize> {
     let free = &layout.feedthrough;
     let all = if layout.hold == Hold::FirstOrder { layout.sensors } else { 0 };
     (0..all).filter(move |sensor| !free.contains(sensor))
-}
-
-/// Points and weights of Gauss's rule on the interval from 0 to 1.
-fn gauss(points: usize) -> Vec<(f64, f64)> {
-    const NEWTON: usize = 8;
-    let count =
-        DVector::<f64>::from_fn(points + 1, |k, _| f64::from(u32::try_from(k).unwrap_or(0)));
-    let order = count[points];
-    (0..points)
-        .map(|k| {
-            let mut x = (std::f64::consts::PI * (count[k] + 0.75) / (order + 0.5)).cos();
-            let mut slope = 1.0;
-            for _ in 0..NEWTON {
-                // Legendre's polynomials by their recurrence.
-                let (mut last, mut value) = (1.0, x);
-                for degree in 2..=points {
-                    let degree = count[degree];
-                    (last, value) = (
-                        value,
-                        ((2.0 * degree - 1.0) * x * value - (degree - 1.0) * last) / degree,
-                    );
-                }
-                slope = order * (x * value - last) / (x * x - 1.0);
-                x -= value / slope;
-            }
-            (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
-        })
-        .collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! What the files of a report are called, and what tells that they are ours.
 
-use super::{history, order, pole_map, residuals, spectra, stabilisation, transmissibility};
+use super::{
+    history, order, pole_map, recorded, residuals, spectra, stabilisation, transmissibility,
+};
 
 /// The page's name in the folder.
 pub(super) const PAGE: &str = "report.html";
@@ -9,7 +11,7 @@ pub(super) const PAGE: &str = "report.html";
 pub(super) const PROGRAM: &str = "transmode";
 
 /// What the figures are called, in the order of the page.
-pub(super) const FIGURES: [&str; 8] = [
+pub(super) const FIGURES: [&str; 11] = [
     pole_map::ID,
     order::ID,
     stabilisation::ID,
@@ -18,4 +20,7 @@ pub(super) const FIGURES: [&str; 8] = [
     residuals::ID,
     residuals::WHITENESS_ID,
     transmissibility::ID,
+    recorded::TIME_HISTORIES_ID,
+    recorded::LEFT_OVER_ID,
+    recorded::COHERENCE_ID,
 ];

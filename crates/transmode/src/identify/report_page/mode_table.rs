@@ -67,7 +67,8 @@ fn table(
 }
 
 fn explanation(input: &Outcome<'_>) -> String {
-    let deviations = if input.result.method() == Method::MaximumLikelihood {
+    let estimated = [Method::MaximumLikelihood, Method::OutputError];
+    let deviations = if estimated.contains(&input.result.method()) {
         "Numbers stand with one standard deviation; 1.96 of them are a 95 % interval."
     } else {
         "This method gives no deviations; maximum likelihood does."

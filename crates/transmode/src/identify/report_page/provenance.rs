@@ -64,6 +64,26 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
         }
         blocks.push(table.into());
     }
+    if let Some(error) = input.result.fit().and_then(|fit| fit.model_error) {
+        blocks.push(Block::paragraph(format!(
+            "Beside the noise a relative model error of {} ± {} % of what the sensors read: nonlinearity, coupling, whatever no linear system explains. It is part of the \
+             standard errors.",
+            format_significant(100.0 * error.value, 2),
+            format_significant(100.0 * error.standard_error, 2)
+        )));
+    }
+    let offsets = input.result.offsets();
+    if !offsets.is_empty() {
+        let columns =
+            [Column::left("sensor"), Column::right("offset"), Column::right("standard error")];
+        let mut table = Table::new("Offsets of the sensors, common to all records", columns);
+        for (sensor, offset) in offsets.iter().enumerate() {
+            let error = format_significant(offset.standard_error, 2);
+            let name = with_unit(input, 0, sensor);
+            table.push([name, format_significant(offset.value, 4), error]).map_err(fault)?;
+        }
+        blocks.push(table.into());
+    }
     Ok(blocks)
 }
 

@@ -41,8 +41,13 @@ fn sentences(input: &Outcome<'_>) -> String {
             "**The result should not be trusted as it is**, for what is said below.".to_owned()
         }
     };
+    let given = if input.result.output_error().is_some() {
+        format!(", with inputs {}", input.options.inputs.names.join(", "))
+    } else {
+        ", of which nobody gave the excitation".to_owned()
+    };
     format!(
-        "{what}. Found by {} in {records} of {} ({}), of which nobody gave the excitation. {trust}",
+        "{what}. Found by {} in {records} of {} ({}){given}. {trust}",
         method(input.result.method()),
         counted(names.len() as u64, "sensor"),
         names.join(", ")
@@ -81,6 +86,7 @@ pub(super) fn method(method: Method) -> &'static str {
     match method {
         Method::Paper => "the method as printed",
         Method::Subspace => "the intersection of signal subspaces",
+        Method::OutputError => "output error with recorded inputs",
         _ => "maximum likelihood",
     }
 }

@@ -1,3 +1,5 @@
+use nalgebra::DVector;
+
 use super::*;
 use crate::likelihood::fixtures::{Normal, system};
 use num_complex::Complex;
@@ -16,28 +18,6 @@ fn planted(eigenvalues: &[Complex<f64>]) -> System {
 /// A Dutch roll, a mode that decays quickly, an integrator.
 const EIGENVALUES: [Complex<f64>; 3] =
     [Complex::new(0.9, 0.3), Complex::new(0.3, 0.0), Complex::new(1.0, 0.0)];
-
-#[test]
-fn the_matrix_has_the_eigenvalues_of_its_definition() {
-    let exact = |z: Complex<f64>| {
-        let off = z - 1.0;
-        if off.norm() == 0.0 { Complex::new(0.5, 0.0) } else { (off - z.ln()) / (off * off) }
-    };
-    let system = planted(&EIGENVALUES);
-    let found = FirstOrder::new(&system.a).unwrap();
-    let mut values: Vec<_> = found.k.complex_eigenvalues().iter().copied().collect();
-    for z in [EIGENVALUES[0], EIGENVALUES[0].conj(), EIGENVALUES[1], EIGENVALUES[2]] {
-        let distance = |k: &Complex<f64>| (k - exact(z)).norm();
-        let (place, value) = values
-            .iter()
-            .copied()
-            .enumerate()
-            .min_by(|x, y| distance(&x.1).total_cmp(&distance(&y.1)))
-            .unwrap();
-        assert!(distance(&value) < 1e-9, "{z}: {value} for {}", exact(z));
-        values.remove(place);
-    }
-}
 
 /// What goes straight from sample to sample, simulated in steps so small that each of them may hold it, agrees with (A, b, C, d).
 #[test]
@@ -115,11 +95,4 @@ fn free_entries_stay() {
         let moved = (now - before).abs();
         assert!(moved[1] == 0.0 && moved[0] > 0.0 && moved[2] > 0.0, "{moved}");
     }
-}
-
-#[test]
-fn a_negative_eigenvalue_on_a_point_of_the_rule_has_none() {
-    let (t, _) = gauss(POINTS)[3];
-    let a = DMatrix::from_row_slice(2, 2, &[1.0 - 1.0 / t, 0.0, 0.0, 0.5]);
-    assert!(FirstOrder::new(&a).is_none_or(|found| found.k.amax() > 1e10));
 }

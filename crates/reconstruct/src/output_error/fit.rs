@@ -1,0 +1,238 @@
+//! The result: the system, how certain it is, and what it was compared with.
+
+use lti::{Discrete, StateSpace};
+use nalgebra::DMatrix;
+use num_complex::Complex;
+
+use super::candidate::Candidate;
+use super::cells::Sizes;
+use super::coherence::coherence;
+use super::doubt::{Doubt, doubts};
+use super::identify::hold_of;
+use super::lateral::{LateralEquations, NAMES};
+use super::model_error::model_error;
+use super::options::{Lag, RecordedInputs};
+use super::parametrisation::Form;
+use super::spectra::Spectrum;
+use crate::likelihood::cost::noise::LEAST_MODEL_ERROR;
+use crate::likelihood::inference::uncertainty::{ModelBias, modes};
+use crate::likelihood::{Estimate, FrequencyBand, Hold, Mode};
+use crate::{ReconstructError, Record};
+
+/// A derivative of the lateral equations.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Derivative {
+    /// Its name: L_beta, or L_aileron for a control.
+    pub name: String,
+    /// In 1/s for rates by rates, 1/s^2 for moments by angles.
+    pub estimate: Estimate,
+}
+
+/// Another form that was fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Compared {
+    /// The number of states.
+    pub order: usize,
+    /// Whether it is the lateral equations.
+    pub is_lateral: bool,
+    /// What its criterion lies above that of the form used; below zero where it is more likely.
+    pub above: f64,
+}
+
+/// What the recorded inputs explain of one record.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RecordFit {
+    /// The frequencies in rad/s.
+    pub frequencies_rad_s: Vec<f64>,
+    /// The transform of each sensor, N^(-1/2) sum y(i) z^-i, m x F.
+    pub measured: DMatrix<Complex<f64>>,
+    /// What the model leaves of it.
+    pub residuals: DMatrix<Complex<f64>>,
+    /// The part of each sensor's power in the band that the model explains, 1 for all of it.
+    pub explained: Vec<f64>,
+    /// Coherence of each sensor with all inputs of the record together, m x F: where it is near 1, the inputs tell what the sensor reads.
+    pub coherence: DMatrix<f64>,
+}
+
+/// What a fit with recorded inputs says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Fit {
+    /// The system from the recorded inputs to the sensors.
+    pub model: StateSpace<Discrete>,
+    /// The modes with their uncertainty, by real part of the eigenvalue, a complex pair once.
+    pub modes: Vec<Mode>,
+    /// The derivatives of the lateral equations; empty for a black box.
+    pub derivatives: Vec<Derivative>,
+    /// The correlations of their estimates.
+    pub correlations: DMatrix<f64>,
+    /// The lag of each sensor in s; without a standard error where it was given.
+    pub sensor_lags: Vec<Estimate>,
+    /// The lag of each input in s.
+    pub input_lags: Vec<Estimate>,
+    /// How the inputs move between samples.
+    pub hold: Hold,
+    /// Minus twice the logarithm of the other hold's likelihood over this one's; `None` where the hold was given.
+    pub hold_evidence: Option<f64>,
+    /// The frequencies that were used.
+    pub band: FrequencyBand,
+    /// Whether a drift of each sensor was estimated.
+    pub drift: bool,
+    /// Schwarz's criterion.
+    pub criterion: f64,
+    /// Other forms that were fitted.
+    pub compared: Vec<Compared>,
+    /// The part of what the sensors read that no linear model explains; what lies above a twentieth is a disturbance of another kind.
+    pub model_error: Estimate,
+    /// Each record on its own.
+    pub records: Vec<RecordFit>,
+    /// Why the result should not be trusted; empty if there is no such reason.
+    pub doubts: Vec<Doubt>,
+}
+
+/// Above this the residuals are no model error but a disturbance: turbulence, most of the time.
+const LARGEST_MODEL_ERROR: f64 = 0.05;
+
+/// What was fitted.
+pub(super) struct Context<'a> {
+    pub(super) records: &'a [Record],
+    pub(super) inputs: &'a RecordedInputs,
+    pub(super) spectra: &'a [Spectrum],
+    pub(super) band: FrequencyBand,
+    pub(super) drift: bool,
+}
+
+pub(super) fn conclude(
+    context: &Context<'_>,
+    found: &Candidate,
+    hold_evidence: Option<f64>,
+    compared: Vec<Compared>,
+) -> Result<Fit, ReconstructError> {
+    let Context { records, inputs, spectra, band, drift } = *context;
+    let failed = |message: String| ReconstructError::Step { step: "recorded inputs", message };
+    let period = records[0].period();
+    let matrices = found.matrices().ok_or_else(|| failed("no system".to_owned()))?;
+    let sizes = matrices.sizes();
+    let residuals = found.residuals(spectra);
+    let error = model_error(&residuals, spectra);
+    let error =
+        error.unwrap_or(Estimate { value: LEAST_MODEL_ERROR, standard_error: f64::INFINITY });
+    let covariance = covariance(found);
+    let tangent = found.parametrisation.tangent(&found.evaluation.parameters);
+    let tangent = tangent.ok_or_else(|| failed("no derivatives".to_owned()))?;
+    let of_a = tangent.rows(0, sizes.states * sizes.states);
+    let of_a = of_a * &covariance * of_a.transpose();
+    let seconds = records.iter().map(|record| period.seconds() * record.samples() as f64);
+    let resolution = std::f64::consts::TAU / seconds.fold(0.0, f64::max);
+    let own = if error.value < LARGEST_MODEL_ERROR { error.value } else { LEAST_MODEL_ERROR };
+    let bias = ModelBias { model_error: own, resolution };
+    let modes =
+        modes(&matrices.a, period, &of_a, bias).map_err(|error| failed(error.to_string()))?;
+    let (derivatives, correlations) = derivatives(found, inputs, &covariance, own);
+    let lags = lags(found, &covariance, sizes);
+    let model = StateSpace::<Discrete>::new(matrices.a, matrices.b, matrices.c, matrices.d, period)
+        .map_err(|error| failed(error.to_string()))?;
+    let records = residuals.iter().zip(spectra).map(|(left, spectrum)| RecordFit {
+        frequencies_rad_s: spectrum.frequencies.clone(),
+        measured: spectrum.y.clone(),
+        explained: explained(left, &spectrum.y),
+        coherence: coherence(&spectrum.y, &spectrum.u).0,
+        residuals: left.clone(),
+    });
+    let mut fit = Fit {
+        model,
+        modes,
+        derivatives,
+        correlations,
+        sensor_lags: lags.0,
+        input_lags: lags.1,
+        hold: hold_of(found),
+        hold_evidence,
+        band,
+        drift,
+        criterion: found.criterion,
+        compared,
+        model_error: error,
+        records: records.collect(),
+        doubts: Vec::new(),
+    };
+    fit.doubts = doubts(&fit, found, context);
+    Ok(fit)
+}
+
+/// Of the parameters, on the directions that the records determine. Weights from residuals that are averaged over so many products are themselves uncertain, and
+/// follow the residuals, which makes the inverse too small on average.
+fn covariance(found: &Candidate) -> DMatrix<f64> {
+    let size = found.evaluation.parameters.len();
+    let inverse = found.evaluation.newton().map(|(_, inverse)| inverse);
+    let inverse = inverse.unwrap_or_else(|| DMatrix::from_element(size, size, f64::INFINITY));
+    let sensors = found.parametrisation.sizes().sensors as f64;
+    let averaged = found.weightings.iter().map(|own| own.averaged).fold(f64::INFINITY, f64::min);
+    let inflation = if averaged > 2.0 * sensors { averaged / (averaged - sensors) } else { 2.0 };
+    inverse * inflation
+}
+
+fn derivatives(
+    found: &Candidate,
+    inputs: &RecordedInputs,
+    covariance: &DMatrix<f64>,
+    model_error: f64,
+) -> (Vec<Derivative>, DMatrix<f64>) {
+    /// A model that is wrong by eps has derivatives that are wrong by a few eps of their size.
+    const TIMES: f64 = 2.0;
+    let Form::Lateral(form) = &found.parametrisation.form else {
+        return (Vec::new(), DMatrix::zeros(0, 0));
+    };
+    let mut names: Vec<String> = NAMES.iter().map(|&name| name.to_owned()).collect();
+    for input in &inputs.names {
+        names.extend(["Y", "L", "N"].map(|row| format!("{row}_{input}")));
+    }
+    debug_assert_eq!(LateralEquations::control(0, 0), NAMES.len());
+    let scatter = |k: usize| covariance[(k, k)].max(0.0).sqrt();
+    let count = form.parameters();
+    let estimate = |(k, name): (usize, String)| {
+        let value = found.evaluation.parameters[k];
+        let standard_error = scatter(k).hypot(TIMES * model_error * value.abs());
+        Derivative { name, estimate: Estimate { value, standard_error } }
+    };
+    let all = names.into_iter().enumerate().map(estimate).collect();
+    let correlation = |i: usize, k: usize| {
+        let product = scatter(i) * scatter(k);
+        if product > 0.0 { covariance[(i, k)] / product } else { 0.0 }
+    };
+    (all, DMatrix::from_fn(count, count, correlation))
+}
+
+/// The lags of sensors and inputs.
+fn lags(
+    found: &Candidate,
+    covariance: &DMatrix<f64>,
+    sizes: Sizes,
+) -> (Vec<Estimate>, Vec<Estimate>) {
+    let free = found.parametrisation.free_lags();
+    let first = found.parametrisation.parameters() - free.len();
+    let of = |lag: &Lag, cell: usize| match (lag, free.iter().position(|&own| own == cell)) {
+        (Lag::Given(seconds), _) => Estimate { value: *seconds, standard_error: 0.0 },
+        (Lag::Free, place) => {
+            let k = first + place.unwrap_or_default();
+            let standard_error = covariance[(k, k)].max(0.0).sqrt();
+            Estimate { value: found.evaluation.parameters[k], standard_error }
+        }
+    };
+    let sensors = found.parametrisation.sensor_lags.iter().enumerate();
+    let inputs = found.parametrisation.input_lags.iter().enumerate();
+    (
+        sensors.map(|(sensor, lag)| of(lag, sizes.sensor_lag(sensor))).collect(),
+        inputs.map(|(input, lag)| of(lag, sizes.input_lag(input))).collect(),
+    )
+}
+
+fn explained(left: &DMatrix<Complex<f64>>, measured: &DMatrix<Complex<f64>>) -> Vec<f64> {
+    let power = |row: usize, of: &DMatrix<Complex<f64>>| {
+        of.row(row).iter().map(Complex::norm_sqr).sum::<f64>()
+    };
+    (0..left.nrows()).map(|row| 1.0 - power(row, left) / power(row, measured)).collect()
+}
