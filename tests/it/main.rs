@@ -20,6 +20,7 @@ mod layering;
 mod monitor;
 mod pages;
 mod program;
+mod recorded_inputs;
 mod report;
 mod simulate;
 mod tutorial;

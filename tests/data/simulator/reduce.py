@@ -12,21 +12,28 @@ import pathlib
 import sys
 
 KINDS = ['clean', 'large', 'col05', 'actlag10', 'multistep', 'noise', 'bias', 'quantised', 'delay']
+# What the surfaces did is read of these.
+RECORDED = ['clean', 'noise', 'delay', 'turb1', 'turb2']
 COLUMNS = ['time', 'beta', 'p', 'r']
 here = pathlib.Path(__file__).resolve().parent
 collection = pathlib.Path(sys.argv[1])
 truth = json.loads((collection / 'truth.json').read_text())
 
+def cut(name, columns):
+    with gzip.open(collection / name, 'rt', newline='') as source:
+        rows = list(csv.reader(source))
+    places = [rows[0].index(column) for column in columns]
+    text = ''.join(','.join(row[place] for place in places) + '\n' for row in rows)
+    return (here / name).write_bytes(gzip.compress(text.encode(), compresslevel=9, mtime=0))
+
+
 size = 0
 for aircraft in truth['aircraft']:
-    for kind in KINDS:
+    for kind in dict.fromkeys(KINDS + RECORDED):
         for surface in ['aileron', 'rudder']:
-            name = f'{aircraft}_{surface}_{kind}.csv.gz'
-            with gzip.open(collection / name, 'rt', newline='') as source:
-                rows = list(csv.reader(source))
-            places = [rows[0].index(column) for column in COLUMNS]
-            text = ''.join(','.join(row[place] for place in places) + '\n' for row in rows)
-            size += (here / name).write_bytes(gzip.compress(text.encode(), compresslevel=9, mtime=0))
+            moved = [f'd_{surface}'] if kind in RECORDED else []
+            size += cut(f'{aircraft}_{surface}_{kind}.csv.gz', COLUMNS + moved)
+    size += cut(f'{aircraft}_both.csv.gz', COLUMNS + ['d_aileron', 'd_rudder'])
 
 reduced = {
     name: {

@@ -30,7 +30,7 @@ pub(super) struct SimulatorStudy {
 
 impl Study for SimulatorStudy {
     const NAME: &'static str = "simulator";
-    const EDITION: u32 = 1;
+    const EDITION: u32 = 2;
     const SEEDS: Option<Seeds> = None;
     type Kind = Kind;
     type Outcome = Outcome;
@@ -41,21 +41,25 @@ impl Study for SimulatorStudy {
     }
 
     fn kinds(&self) -> Vec<Kind> {
-        let of_all = |motion| Aircraft::ALL.map(|aircraft| Kind { motion, aircraft });
-        Motion::ALL.into_iter().flat_map(of_all).collect()
+        let of_all =
+            |motion, recorded| Aircraft::ALL.map(|aircraft| Kind { motion, aircraft, recorded });
+        let without = Motion::RECONSTRUCTED.into_iter().flat_map(|motion| of_all(motion, false));
+        let with = Motion::RECORDED.into_iter().flat_map(|motion| of_all(motion, true));
+        without.chain(with).collect()
     }
 
     fn quick_kinds(&self) -> Vec<Kind> {
         let quick = |kind: &Kind| {
-            matches!(kind.motion, Motion::Clean | Motion::Multistep)
+            matches!(kind.motion, Motion::Clean | Motion::Multistep | Motion::Turb1)
                 && matches!(kind.aircraft, Aircraft::Md11 | Aircraft::Concorde)
         };
         self.kinds().into_iter().filter(quick).collect()
     }
 
     fn run(&self, kind: Kind, _seed: u64) -> Result<Outcome, TaskError> {
-        let records = flights::read(&self.folder, kind)?;
-        Ok(one_run::run(&records, &self.truth.of(kind.aircraft)?.modes()))
+        let flight = flights::read(&self.folder, kind)?;
+        let truth = self.truth.of(kind.aircraft)?.modes();
+        Ok(one_run::run(flight, kind.recorded, &truth))
     }
 
     fn document(
@@ -71,7 +75,7 @@ impl Study for SimulatorStudy {
             let sizes = self.truth.of(kind.aircraft)?.modes().list().map(Complex::norm);
             cases.push((*kind, vec![Case { kind: *kind, outcome: outcome.clone(), sizes }]));
         }
-        let sections = sections(&cases, |kind| kind.motion.name(), |_, cases| cases[0].clone());
+        let sections = sections(&cases, Kind::title, |_, cases| cases[0].clone());
         document::compose(&sections, &self.truth, command)
     }
 }

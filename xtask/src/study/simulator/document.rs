@@ -20,7 +20,7 @@ pub(super) fn compose(
         .with(Block::paragraph(
             "Six aircraft in JSBSim 1.3.3, a nonlinear six-degree-of-freedom simulator that nobody of this project wrote: two records of 120 s at 20 Hz each, one moved through the \
              aileron and one through the rudder, with sensors beta, p and r; the 3-2-1-1 takes 30 s. Everything is left at its default: maximum likelihood, order, noise and band \
-             from the records. The truth is the simulator linearised in trim. No flight is quite linear, each couples into the longitudinal motion, and none holds white noise \
+             from the records. In the sections with inputs recorded, the program is also given what the surfaces did, and nothing else is said. The truth is the simulator linearised in trim. No flight is quite linear, each couples into the longitudinal motion, and none holds white noise \
              unless it was added: a result can be off because the records are too short, and because the best linear system of this motion is not the one in trim.",
         ))
         .with(Block::bullets([
@@ -73,7 +73,10 @@ fn aircraft(truth: &Truth) -> Result<Block, TaskError> {
 }
 
 fn motions(sections: &[Section<Case>]) -> Result<Block, TaskError> {
-    let shown = |motion: &Motion| sections.iter().any(|section| section.title == motion.name());
+    let shown = |motion: &Motion| {
+        let own = |case: &Case| case.kind.motion == *motion;
+        sections.iter().any(|section| section.summaries.iter().any(own))
+    };
     let rows = Motion::ALL.into_iter().filter(shown);
     let rows = rows.map(|motion| [motion.name().to_owned(), motion.about().to_owned()]);
     table("The kinds of flight", [Column::left("kind"), Column::left("what it is")], rows)
@@ -108,8 +111,13 @@ fn by_kind(sections: &[Section<Case>]) -> Result<Block, TaskError> {
         ]
     };
     let each = sections.iter().map(|section| row(section.title, &Summary::of(&section.summaries)));
-    let all = Summary::of(sections.iter().flat_map(|section| &section.summaries));
-    let rows = each.chain([row("all", &all)]);
+    let all = |recorded: bool| {
+        let cases = sections.iter().flat_map(|section| &section.summaries);
+        Summary::of(cases.filter(|case| case.kind.recorded == recorded))
+    };
+    let together = [("all without inputs", false), ("all with inputs recorded", true)];
+    let together = together.map(|(name, recorded)| row(name, &all(recorded)));
+    let rows = each.chain(together);
     table("Median and worst error of the aircraft, scores and doubts", header, rows)
 }
 

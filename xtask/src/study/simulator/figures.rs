@@ -22,7 +22,7 @@ fn look(aircraft: Aircraft) -> (Ink, Marker) {
 /// Errors of each flight: a panel for each mode, a strip for each kind.
 pub(super) fn errors(sections: &[Section<Case>]) -> Figure {
     let caption = "Errors by kind of flight and aircraft, of roll and Dutch roll over |s|. Filled: nothing to doubt. Open: the result carries a doubt. \
-                   The line is at 10 %, above which a result counts as wrong. Here actlag10 is called lag, multistep 3-2-1-1, quantised 12 bits.";
+                   The line is at 10 %, above which a result counts as wrong. Here actlag10 is called lag, multistep 3-2-1-1, quantised 12 bits; a star stands for inputs that were recorded.";
     let mut figure =
         Figure::new("study-simulator-errors", "Error of each flight", caption).columns(1);
     for (mode, label) in [(1, "error / |s|"), (2, "error / |s|"), (0, "error (1/s)")] {
@@ -57,7 +57,7 @@ pub(super) fn errors(sections: &[Section<Case>]) -> Figure {
         let headings = sections.iter().enumerate().filter_map(|(place, section)| {
             let first = section.summaries.first()?;
             // Notes are set to the right of their place.
-            Some((place as f64 + 0.46, top / 1.8, first.kind.motion.short_name()))
+            Some((place as f64 + 0.46, top / 1.8, first.kind.short_title()))
         });
         figure = figure.with(panel.with(Notes::new(headings)));
     }

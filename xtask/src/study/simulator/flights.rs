@@ -8,16 +8,18 @@ use std::path::Path;
 use flate2::read::GzDecoder;
 use lti::SamplePeriod;
 use num_complex::Complex;
+use reconstruct::output_error::RecordedInputs;
 use reconstruct::{Channel, Record};
 use serde::Deserialize;
 
-use super::kind::{Aircraft, Kind};
+use super::kind::{Aircraft, Kind, Motion};
 use crate::TaskError;
 use crate::shared::modes::TrueModes;
 
 const PART: &str = "tests/data/simulator";
 const SURFACES: [&str; 2] = ["aileron", "rudder"];
-const HEADER: &str = "time,beta,p,r";
+/// The first columns; what the surfaces did may follow.
+const COLUMNS: [&str; 4] = ["time", "beta", "p", "r"];
 
 /// What is true of each aircraft, by name.
 pub(super) struct Truth(BTreeMap<String, TrueAircraft>);
@@ -61,40 +63,63 @@ impl Truth {
     }
 }
 
-/// The records moved through aileron and rudder.
-pub(super) fn read(folder: &Path, kind: Kind) -> Result<Vec<Record>, TaskError> {
-    let record = |surface: &&str| {
-        let name = format!("{}_{surface}_{}.csv.gz", kind.aircraft.name(), kind.motion.name());
+/// A flight: its records, and what the surfaces did in them as far as the files hold it.
+pub(super) struct Flight {
+    pub(super) records: Vec<Record>,
+    pub(super) inputs: RecordedInputs,
+}
+
+/// The records moved through aileron and rudder, or through both at once.
+pub(super) fn read(folder: &Path, kind: Kind) -> Result<Flight, TaskError> {
+    let (aircraft, motion) = (kind.aircraft.name(), kind.motion.name());
+    let names: Vec<(&str, String)> = if kind.motion == Motion::Both {
+        vec![("both", format!("{aircraft}_both.csv.gz"))]
+    } else {
+        let name = |surface| (surface, format!("{aircraft}_{surface}_{motion}.csv.gz"));
+        SURFACES.map(name).to_vec()
+    };
+    let (mut records, mut signals) = (Vec::new(), Vec::new());
+    for (surface, name) in names {
         let path = folder.join(&name);
         let mut text = String::new();
         File::open(&path)
             .and_then(|file| GzDecoder::new(file).read_to_string(&mut text))
             .map_err(|source| TaskError::io(&path, source))?;
-        parse(surface, &text).map_err(|what| fault(format!("{name}: {what}")))
-    };
-    SURFACES.iter().map(record).collect()
+        let (record, moved) =
+            parse(surface, &text).map_err(|what| fault(format!("{name}: {what}")))?;
+        records.push(record);
+        signals.push(moved);
+    }
+    let names = SURFACES.map(|surface| format!("d_{surface}")).to_vec();
+    Ok(Flight { records, inputs: RecordedInputs { names, signals } })
 }
 
-/// A record from its text: the columns of [`HEADER`], evenly sampled.
-fn parse(name: &str, text: &str) -> Result<Record, String> {
+/// A record from its text, evenly sampled: sensors, and what aileron and rudder did; zero where the file does not say it.
+fn parse(name: &str, text: &str) -> Result<(Record, Vec<Vec<f64>>), String> {
     let mut lines = text.lines();
-    if lines.next() != Some(HEADER) {
-        return Err(format!("the first line must be {HEADER}"));
+    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+    if header.get(..COLUMNS.len()) != Some(&COLUMNS[..]) {
+        return Err(format!("the first columns must be {}", COLUMNS.join(",")));
     }
-    let mut columns = [const { Vec::new() }; 4];
+    let mut columns = vec![Vec::new(); header.len()];
     for (index, line) in lines.enumerate() {
-        let bad = || format!("line {}: {line:?} is not four numbers", index + 2);
+        let bad = || format!("line {}: {line:?} is not {} numbers", index + 2, header.len());
         let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
-        let row: [f64; 4] = numbers.ok().and_then(|row| row.try_into().ok()).ok_or_else(bad)?;
+        let row = numbers.ok().filter(|row| row.len() == header.len()).ok_or_else(bad)?;
         for (column, value) in columns.iter_mut().zip(row) {
             column.push(value);
         }
     }
-    let [time, beta, p, r] = columns;
-    let period = period(&time)?;
-    let channels = [("beta", beta), ("p", p), ("r", r)];
-    let channels = channels.map(|(name, values)| Channel::new(name, values));
-    Record::new(name, period, channels.into()).map_err(|error| error.to_string())
+    let period = period(&columns[0])?;
+    let of_surface = |surface: &str| {
+        let place = header.iter().position(|column| column.strip_prefix("d_") == Some(surface));
+        place.map_or_else(|| vec![0.0; columns[0].len()], |place| columns[place].clone())
+    };
+    let moved = SURFACES.iter().map(|surface| of_surface(surface)).collect();
+    let channels = (1..COLUMNS.len()).map(|k| Channel::new(COLUMNS[k], columns[k].clone()));
+    let record =
+        Record::new(name, period, channels.collect()).map_err(|error| error.to_string())?;
+    Ok((record, moved))
 }
 
 /// The time between two samples, the same throughout.

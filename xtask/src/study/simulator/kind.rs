@@ -16,10 +16,30 @@ pub(crate) enum Motion {
     Bias,
     Quantised,
     Delay,
+    Turb1,
+    Turb2,
+    Both,
 }
 
 impl Motion {
-    pub(crate) const ALL: [Self; 9] = [
+    /// In the order of the page.
+    pub(crate) const ALL: [Self; 12] = [
+        Self::Clean,
+        Self::Large,
+        Self::Col05,
+        Self::Actlag10,
+        Self::Multistep,
+        Self::Noise,
+        Self::Bias,
+        Self::Quantised,
+        Self::Delay,
+        Self::Turb1,
+        Self::Turb2,
+        Self::Both,
+    ];
+
+    /// Flights that are reconstructed without what the surfaces did.
+    pub(crate) const RECONSTRUCTED: [Self; 9] = [
         Self::Clean,
         Self::Large,
         Self::Col05,
@@ -30,6 +50,10 @@ impl Motion {
         Self::Quantised,
         Self::Delay,
     ];
+
+    /// Flights whose surfaces were recorded.
+    pub(crate) const RECORDED: [Self; 6] =
+        [Self::Clean, Self::Noise, Self::Delay, Self::Turb1, Self::Turb2, Self::Both];
 
     /// As in the names of the files.
     pub(crate) fn name(self) -> &'static str {
@@ -43,10 +67,13 @@ impl Motion {
             Self::Bias => "bias",
             Self::Quantised => "quantised",
             Self::Delay => "delay",
+            Self::Turb1 => "turb1",
+            Self::Turb2 => "turb2",
+            Self::Both => "both",
         }
     }
 
-    /// So short that nine stand side by side in a figure.
+    /// So short that fifteen stand side by side in a figure.
     pub(crate) fn short_name(self) -> &'static str {
         match self {
             Self::Actlag10 => "lag",
@@ -70,6 +97,11 @@ impl Motion {
             Self::Bias => "the same noise, offsets and a slow drift of every sensor",
             Self::Quantised => "large, read with 12 bits over wide ranges",
             Self::Delay => "large, with the same noise, beta late by 0.1 s",
+            Self::Turb1 => "large, in turbulence; no noise",
+            Self::Turb2 => "the same in other turbulence",
+            Self::Both => {
+                "large, with the same noise, both surfaces moved in one record, which is all there is"
+            }
         }
     }
 }
@@ -107,9 +139,34 @@ impl Aircraft {
     }
 }
 
-/// A pair of records: one moved through the aileron, one through the rudder.
+/// A pair of records: one moved through the aileron, one through the rudder; or one record of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Kind {
     pub(crate) motion: Motion,
     pub(crate) aircraft: Aircraft,
+    /// Whether what the surfaces did is given.
+    pub(crate) recorded: bool,
+}
+
+impl Kind {
+    /// The heading of its section.
+    pub(crate) fn title(self) -> &'static str {
+        if !self.recorded {
+            return self.motion.name();
+        }
+        match self.motion {
+            Motion::Clean => "clean, inputs recorded",
+            Motion::Noise => "noise, inputs recorded",
+            Motion::Delay => "delay, inputs recorded",
+            Motion::Turb1 => "turb1, inputs recorded",
+            Motion::Turb2 => "turb2, inputs recorded",
+            _ => "both, inputs recorded",
+        }
+    }
+
+    /// So short that all stand side by side in a figure.
+    pub(crate) fn short_title(self) -> String {
+        let mark = if self.recorded { "*" } else { "" };
+        format!("{}{mark}", self.motion.short_name())
+    }
 }

@@ -1,9 +1,11 @@
 //! One run: the default settings on one pair of records, beside the truth.
 
+use nalgebra::DMatrix;
 use num_complex::Complex;
-use reconstruct::{FoundMode, Options, Reconstruction, Record, reconstruct};
+use reconstruct::{FoundMode, Options, Reconstruction, reconstruct};
 use serde::{Deserialize, Serialize};
 
+use super::flights::Flight;
 use crate::shared::modes::TrueModes;
 
 /// What became of one flight: what was found, or why nothing was.
@@ -45,9 +47,13 @@ impl JudgedMode {
     }
 }
 
-/// Identifies and judges.
-pub(super) fn run(records: &[Record], truth: &TrueModes) -> Outcome {
-    let result = reconstruct(records, &Options::default()).map_err(|error| error.to_string());
+/// Identifies and judges; with what the surfaces did where that is given.
+pub(super) fn run(flight: Flight, recorded: bool, truth: &TrueModes) -> Outcome {
+    let mut options = Options::default();
+    if recorded {
+        options.inputs = flight.inputs;
+    }
+    let result = reconstruct(&flight.records, &options).map_err(|error| error.to_string());
     Outcome { result: result.and_then(|found| judged(&found, truth)) }
 }
 
@@ -61,14 +67,19 @@ fn judged(found: &Reconstruction, truth: &TrueModes) -> Result<Found, String> {
     let mut doubts: Vec<_> = found.doubts.iter().map(|doubt| doubt.code().to_owned()).collect();
     doubts.sort();
     doubts.dedup();
-    let fit = found.fit();
+    let (fit, with_inputs) = (found.fit(), found.output_error());
     let band = fit.and_then(|fit| fit.options.band);
     Ok(Found {
         modes: [spiral, roll, dutch_roll],
         doubts,
-        order: found.model().map_or(0, |model| model.a.nrows()),
-        model_error: fit.and_then(|fit| fit.model_error).map(|error| error.value),
-        band_rad_s: band.map(|band| [band.lowest_rad_s, band.highest_rad_s]),
+        order: found.readings().map_or(0, DMatrix::ncols),
+        model_error: fit
+            .and_then(|fit| fit.model_error)
+            .or_else(|| with_inputs.map(|fit| fit.model_error))
+            .map(|error| error.value),
+        band_rad_s: band
+            .or_else(|| with_inputs.map(|fit| fit.band))
+            .map(|band| [band.lowest_rad_s, band.highest_rad_s]),
     })
 }
 

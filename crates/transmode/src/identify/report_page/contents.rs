@@ -11,7 +11,7 @@ pub(super) const PAGE: &str = "report.html";
 pub(super) const PROGRAM: &str = "transmode";
 
 /// What the figures are called, in the order of the page.
-pub(super) const FIGURES: [&str; 11] = [
+pub(super) const FIGURES: [&str; 8] = [
     pole_map::ID,
     order::ID,
     stabilisation::ID,
@@ -20,7 +20,8 @@ pub(super) const FIGURES: [&str; 11] = [
     residuals::ID,
     residuals::WHITENESS_ID,
     transmissibility::ID,
-    recorded::TIME_HISTORIES_ID,
-    recorded::LEFT_OVER_ID,
-    recorded::COHERENCE_ID,
 ];
+
+/// What the figures of a page with recorded inputs are called, beside the pole map.
+pub(super) const FIGURES_WITH_INPUTS: [&str; 3] =
+    [recorded::TIME_HISTORIES_ID, recorded::LEFT_OVER_ID, recorded::COHERENCE_ID];

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::contents::{FIGURES, PAGE, PROGRAM};
+use super::contents::{FIGURES, FIGURES_WITH_INPUTS, PAGE, PROGRAM};
 use crate::CommandError;
 
 /// The page's mark is within so many bytes of its start.
@@ -67,7 +67,8 @@ fn is_figure(entry: &DirEntry) -> bool {
     let id = name
         .to_str()
         .and_then(|name| name.strip_suffix(".svg").or_else(|| name.strip_suffix(".png")));
-    is_file(entry) && id.is_some_and(|id| FIGURES.contains(&id))
+    let is_ours = |id: &str| FIGURES.contains(&id) || FIGURES_WITH_INPUTS.contains(&id);
+    is_file(entry) && id.is_some_and(is_ours)
 }
 
 /// A regular file; a link is none.

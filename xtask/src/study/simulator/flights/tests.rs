@@ -6,9 +6,19 @@ use crate::study::simulator::SimulatorStudy;
 fn every_flight_of_the_study_is_there() {
     let study = SimulatorStudy::new().unwrap();
     let kinds = study.kinds();
-    assert_eq!(kinds.len(), 54);
+    assert_eq!(kinds.len(), 54 + 36);
     for kind in kinds {
-        let records = read(&study.folder, kind).unwrap();
+        let Flight { records, inputs } = read(&study.folder, kind).unwrap();
+        let moves = |signal: &Vec<f64>| signal.iter().any(|value| value.abs() > 0.0);
+        if kind.recorded {
+            for surface in 0..2 {
+                assert!(inputs.signals.iter().any(|signals| moves(&signals[surface])), "{kind:?}");
+            }
+        }
+        if kind.motion == Motion::Both {
+            assert_eq!(records.len(), 1);
+            continue;
+        }
         let samples = if kind.motion.name() == "multistep" { 600 } else { 2400 };
         for (record, surface) in records.iter().zip(["aileron", "rudder"]) {
             assert_eq!((record.name(), record.samples()), (surface, samples), "{kind:?}");
@@ -33,7 +43,9 @@ fn the_truth_has_the_aircraft_of_the_study() {
 
 #[test]
 fn columns_become_sensors() {
-    let record = parse("rudder", "time,beta,p,r\n0,1,2,3\n0.5,-4e-1,5,6\n1,7,8,9\n").unwrap();
+    let text = "time,beta,p,r,d_rudder\n0,1,2,3,4\n0.5,-4e-1,5,6,5\n1,7,8,9,6\n";
+    let (record, moved) = parse("rudder", text).unwrap();
+    assert_eq!(moved, [vec![0.0; 3], vec![4.0, 5.0, 6.0]]);
     assert_eq!((record.name(), record.period().seconds()), ("rudder", 0.5));
     let found: Vec<_> =
         record.channels().iter().map(|c| (c.name.as_str(), c.values.as_slice())).collect();
@@ -45,11 +57,11 @@ fn columns_become_sensors() {
 #[test]
 fn a_bad_file_says_where() {
     for (text, expected) in [
-        ("", "the first line must be time,beta,p,r"),
-        ("time,beta,r,p\n", "the first line must be time,beta,p,r"),
+        ("", "the first columns must be time,beta,p,r"),
+        ("time,beta,r,p\n", "the first columns must be time,beta,p,r"),
         ("time,beta,p,r\n0,1,2,3\n", "fewer than two samples"),
-        ("time,beta,p,r\n0,1,2\n", "line 2: \"0,1,2\" is not four numbers"),
-        ("time,beta,p,r\n0,1,2,3\n1,1,x,3\n", "line 3: \"1,1,x,3\" is not four numbers"),
+        ("time,beta,p,r\n0,1,2\n", "line 2: \"0,1,2\" is not 4 numbers"),
+        ("time,beta,p,r\n0,1,2,3\n1,1,x,3\n", "line 3: \"1,1,x,3\" is not 4 numbers"),
         ("time,beta,p,r\n0,1,2,3\n1,1,2,3\n3,1,2,3\n", "line 3: a step other than 1.5 s"),
     ] {
         assert_eq!(parse("x", text).unwrap_err(), expected);

@@ -32,7 +32,7 @@ fn the_closest_eigenvalue_is_judged() {
 #[test]
 fn a_flight_is_judged_against_its_own_truth() {
     let study = SimulatorStudy::new().unwrap();
-    let kind = Kind { motion: Motion::Multistep, aircraft: Aircraft::Concorde };
+    let kind = Kind { motion: Motion::Multistep, aircraft: Aircraft::Concorde, recorded: false };
     let own = study.run(kind, 1).unwrap();
     let found = own.result.clone().unwrap();
     assert!(found.modes[2].error < 0.1, "{found:?}");
@@ -41,15 +41,16 @@ fn a_flight_is_judged_against_its_own_truth() {
     assert_eq!(serde_json::from_str::<Outcome>(&kept).unwrap(), own);
     // Beside another aircraft the same estimates are wrong.
     let other = study.truth.of(Aircraft::Boeing737).unwrap().modes();
-    let records = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
-    assert!(run(&records, &other).result.unwrap().modes[2].error > 0.5);
+    let flight = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
+    assert!(run(flight, false, &other).result.unwrap().modes[2].error > 0.5);
 }
 
 #[test]
 fn a_refusal_is_kept() {
     let study = SimulatorStudy::new().unwrap();
-    let kind = Kind { motion: Motion::Multistep, aircraft: Aircraft::Concorde };
-    let records = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
+    let kind = Kind { motion: Motion::Multistep, aircraft: Aircraft::Concorde, recorded: false };
+    let mut flight = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
+    flight.records.truncate(1);
     let truth = study.truth.of(kind.aircraft).unwrap().modes();
-    assert!(!run(&records[..1], &truth).result.unwrap_err().is_empty());
+    assert!(!run(flight, false, &truth).result.unwrap_err().is_empty());
 }

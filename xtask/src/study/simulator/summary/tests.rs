@@ -21,7 +21,7 @@ fn case(errors: PerMode, doubts: &[&str]) -> Case {
 }
 
 fn with(result: Result<Found, String>) -> Case {
-    let kind = Kind { motion: Motion::Clean, aircraft: Aircraft::Cub };
+    let kind = Kind { motion: Motion::Clean, aircraft: Aircraft::Cub, recorded: false };
     Case { kind, outcome: Outcome { result }, sizes: [0.5, 2.0, 4.0] }
 }
 
