@@ -142,18 +142,6 @@ pub enum SelectionError {
         /// Samples that the longest one has.
         longest: usize,
     },
-    /// A sample period beside a column of time, which says the same or something else.
-    #[error(
-        "{}: column {column:?} holds the time, so that --sample-period is not needed; leave it out, or name {column:?} in --outputs \
-         if it is a sensor",
-        file.display()
-    )]
-    TimeIsThere {
-        /// The file.
-        file: PathBuf,
-        /// The column of time.
-        column: String,
-    },
     /// Nothing to read.
     #[error("no record is given; name files, or stretches of files with --window")]
     NoFile,

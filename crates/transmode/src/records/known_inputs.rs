@@ -74,7 +74,7 @@ pub(super) fn select(
         return fault(&headings[sensor.index].name, why);
     }
     for index in inputs {
-        selected.sensors.push(wanted(file, headings, index)?);
+        selected.sensors.push(wanted(file, headings, index, false)?);
     }
     Ok(())
 }

@@ -16,6 +16,8 @@ pub(crate) struct Heading {
     pub(crate) samples: Option<usize>,
     /// Why its numbers cannot be read, where it is known in advance.
     pub(crate) fault: Option<String>,
+    /// Whether that is because it holds words.
+    pub(crate) is_words: bool,
 }
 
 /// The channels that were chosen. All are equally long.
@@ -29,6 +31,19 @@ pub(crate) struct Table {
     /// `values[c][row]` of the chosen one `c`, in its own unit; NaN where nothing was recorded, never infinite.
     pub(crate) values: Vec<Vec<f64>>,
     pub(crate) places: Places,
+    /// Whether the times were written as a clock shows them.
+    pub(crate) with_clock: bool,
+    /// Columns that were wanted like all others, and turned out to hold no numbers.
+    pub(crate) ignored: Vec<Ignored>,
+}
+
+/// A column that is no channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Ignored {
+    /// Its index in the file.
+    pub(crate) index: usize,
+    /// What it holds.
+    pub(crate) why: String,
 }
 
 /// Which channels are read.
@@ -38,6 +53,20 @@ pub(crate) struct Chosen {
     pub(crate) channels: Vec<usize>,
     /// Whether the last of them is time, which a text may write as a clock shows it.
     pub(crate) with_time: bool,
+    /// What becomes of a column of words.
+    pub(crate) words: Words,
+}
+
+/// What becomes of words where numbers should be, time apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Words {
+    /// They are refused: each channel was asked for by name.
+    #[default]
+    Refused,
+    /// A column that has held no number yet is ignored.
+    ColumnsIgnored,
+    /// Any of them makes its column an ignored one.
+    Ignored,
 }
 
 /// A file of which the headings have been read, and no numbers yet.
@@ -78,8 +107,32 @@ impl Heading {
 }
 
 impl Table {
+    /// The chosen channels of a file of arrays.
+    pub(crate) fn of_arrays(
+        format: Format,
+        headings: Vec<Heading>,
+        chosen: Vec<usize>,
+        values: Vec<Vec<f64>>,
+    ) -> Self {
+        let (places, ignored) = (Places::Samples, Vec::new());
+        Self { format, headings, chosen, values, places, with_clock: false, ignored }
+    }
+
     pub(crate) fn rows(&self) -> usize {
         self.values.first().map_or(0, Vec::len)
+    }
+
+    /// The same channels, with no sample yet.
+    pub(crate) fn without_values(&self) -> Self {
+        Self {
+            format: self.format,
+            headings: self.headings.clone(),
+            chosen: self.chosen.clone(),
+            values: Vec::new(),
+            places: Places::Samples,
+            with_clock: self.with_clock,
+            ignored: Vec::new(),
+        }
     }
 
     /// Refuses infinite numbers in an array.
