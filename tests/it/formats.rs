@@ -80,6 +80,11 @@ fn matrices_of_rows() {
         is_called(&found, &format!("x_{first}"), p);
         is_called(&found, &format!("x_{}", first + 1), r);
     }
+    // Whole numbers beside floats count or flag something, and are a channel where they are asked for.
+    let names = |file: &Value| channels(file).into_iter().map(|found| found.0).collect::<Vec<_>>();
+    let npz = file("rows.npz");
+    assert_eq!(names(&inspect(&[&npz])), ["x_0", "x_1", "x_2"]);
+    assert_eq!(names(&inspect(&[&npz, "--outputs", "x_0,n"])), ["x_0", "n"]);
 }
 
 #[test]

@@ -131,7 +131,7 @@ pub enum SelectionError {
     /// Gaps everywhere.
     #[error(
         "{}: its gaps leave no stretch of {needed} samples, the longest has {longest}; choose sensors without missing samples \
-         with --outputs",
+         with --outputs, or interpolate those of a lower rate with --resample PERIOD",
         file.display()
     )]
     OnlyGaps {

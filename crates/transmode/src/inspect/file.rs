@@ -228,8 +228,9 @@ fn gaps(sampled: &Sampled) -> Option<Finding> {
     let longest = sampled.stretches.iter().map(|(_, samples)| *samples).max().unwrap_or(0);
     let count = sampled.stretches.len();
     if count == 0 || (count > 1 && longest < SHORTEST) {
-        let text =
-            format!("gaps leave no stretch of {SHORTEST} samples, the longest has {longest}");
+        let text = format!(
+            "gaps leave no stretch of {SHORTEST} samples, the longest has {longest}; --resample interpolates channels of a lower rate"
+        );
         return Some(Finding { weight: Weight::Problem, code: "only-gaps", text });
     }
     (count > 1).then(|| {

@@ -90,6 +90,10 @@ pub(crate) fn open<R: Read + Seek>(
         let all: Vec<&str> = places.iter().map(|place| place.variable.name.as_str()).collect();
         return Err(in_file(file, &FormatError::no_variable(variable, &all)));
     }
+    let mut is_in_structure: Vec<bool> =
+        places.iter().map(|place| place.variable.name.contains('.')).collect();
+    let mut next = names.iter();
+    is_in_structure.retain(|_| next.next().is_some_and(Option::is_some));
     let mut at = 0;
     places.retain(|_| {
         at += 1;
@@ -98,7 +102,15 @@ pub(crate) fn open<R: Read + Seek>(
     for (place, name) in places.iter_mut().zip(names.into_iter().flatten()) {
         place.variable.name = name;
     }
-    let (headings, homes) = headings(&places);
+    let (mut headings, homes) = headings(&places);
+    if variable.is_none() {
+        // Beside plain vectors, structures and matrices of rows hold other things.
+        let is_plain = |(index, _): &(usize, usize)| {
+            !is_in_structure[*index] && !is_wide(&places[*index].variable)
+        };
+        let is_plain: Vec<bool> = homes.iter().map(is_plain).collect();
+        Heading::prefer(&mut headings, &is_plain);
+    }
     if headings.iter().all(|heading| heading.fault.is_some()) {
         return Err(in_file(file, &FormatError::NoNumbers { found: kinds(&places) }));
     }

@@ -77,6 +77,10 @@ pub(crate) fn open<R: Read + Seek>(file: &Path, source: R) -> Result<OpenedNpz<R
             }
         }
     }
+    // Beside floats, arrays of other kinds are counters and flags.
+    let is_float = |at: usize| matches!(members[at].content, Ok(Content::Floats(_)));
+    let is_float: Vec<bool> = homes.iter().map(|(at, _)| is_float(*at)).collect();
+    Heading::prefer(&mut headings, &is_float);
     Ok(OpenedNpz { file: file.to_owned(), archive, members, headings, homes })
 }
 

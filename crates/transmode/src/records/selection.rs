@@ -193,7 +193,11 @@ fn by_default(
         // A single number beside arrays is a constant.
         let constant =
             heading.samples == Some(1) && headings.iter().any(|other| other.samples > Some(1));
-        Some(index) != time && !is_time(&heading.name) && !heading.name.is_empty() && !constant
+        Some(index) != time
+            && !is_time(&heading.name)
+            && !heading.name.is_empty()
+            && !constant
+            && !heading.by_name_only
     };
     let sensors: Vec<usize> = (0..headings.len()).filter(is_sensor).collect();
     let good: Vec<usize> =

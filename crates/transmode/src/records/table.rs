@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::CommandError;
 use crate::records::format::Format;
+use crate::records::selection::is_time;
 
 /// What a file says of one channel before its numbers are read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,6 +19,8 @@ pub(crate) struct Heading {
     pub(crate) fault: Option<String>,
     /// Whether that is because it holds words.
     pub(crate) is_words: bool,
+    /// Whether it is a channel only where it is asked for.
+    pub(crate) by_name_only: bool,
 }
 
 /// The channels that were chosen. All are equally long.
@@ -103,6 +106,19 @@ impl Heading {
     /// A channel that is called so and says no more.
     pub(crate) fn named(name: impl Into<String>) -> Self {
         Self { name: name.into(), ..Self::default() }
+    }
+
+    /// Where some of the preferred ones are channels, time apart, the others are only by name.
+    pub(crate) fn prefer(headings: &mut [Self], is_preferred: &[bool]) {
+        let is_channel = |heading: &Self| {
+            heading.fault.is_none() && heading.samples > Some(1) && !is_time(&heading.name)
+        };
+        let mut preferred = headings.iter().zip(is_preferred).filter(|(_, preferred)| **preferred);
+        if preferred.any(|(heading, _)| is_channel(heading)) {
+            for (heading, preferred) in headings.iter_mut().zip(is_preferred) {
+                heading.by_name_only |= !preferred;
+            }
+        }
     }
 }
 

@@ -27,6 +27,8 @@ pub(super) struct Layout {
     /// The line of the names, where there is one.
     pub(super) header_line: Option<u64>,
     pub(super) units: Option<Vec<Option<String>>>,
+    /// The line of the units, where there is one.
+    units_line: Option<u64>,
     /// The line of its first row of numbers.
     pub(super) first_row: u64,
     /// Fields of each row.
@@ -58,18 +60,23 @@ pub(super) fn search(start: &[u8], is_whole: bool, skip_lines: u64) -> Option<La
         names: Vec::new(),
         header_line: None,
         units: None,
+        units_line: None,
         first_row: lines[block.first].number,
         fields: block.fields,
         ends_empty: block.ends_empty,
     };
     header_above(&lines[..block.first], &mut layout);
-    // Rows between the header and the table would be lost.
-    let is_lost = |line: &&Line<'_>| {
+    // Rows between the header and the table would be lost, be they of words or of another length.
+    let is_lost = |line: &Line<'_>| {
+        let is_row = row(line.bytes, separator).is_some()
+            || texts(line.bytes, separator).is_some_and(|texts| texts.len() == layout.fields);
         layout.header_line.is_some_and(|header| line.number > header)
+            && layout.units_line != Some(line.number)
             && !dialect::is_comment(line.bytes)
-            && [separator, b','].iter().any(|separator| row(line.bytes, *separator).is_some())
+            && !is_rule(line.bytes)
+            && is_row
     };
-    (!lines[..block.first].iter().any(|line| is_lost(&line))).then_some(layout)
+    (!lines[..block.first].iter().any(is_lost)).then_some(layout)
 }
 
 #[derive(Clone, Copy)]
@@ -180,7 +187,7 @@ fn header_above(above: &[Line<'_>], layout: &mut Layout) {
             continue;
         }
         if let Some(units) = header::units(&layout.names) {
-            layout.units = Some(units);
+            (layout.units, layout.units_line) = (Some(units), layout.header_line);
             (layout.names, layout.header_line) = (fields, Some(line.number));
         }
         return;

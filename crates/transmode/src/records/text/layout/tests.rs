@@ -44,6 +44,8 @@ fn rows_without_names_and_texts_without_rows() {
     assert_eq!((layout.names.len(), layout.fields, layout.first_row), (0, 3, 1));
     assert_eq!(search(b"some words\nand more\n", true, 0), None);
     assert_eq!(search(b"", true, 0), None);
+    // No row is left out silently.
+    assert_eq!(search(b"t,p\n0,1,2\n0,1\n1,2\n2,3\n", true, 0), None);
     // Words are fields, too, if most are numbers.
     check("t,p,mode\n0,1,AUTO\n1,2,AUTO\n", b',', &["t", "p", "mode"], 2);
     assert_eq!(search(b"a,b\n1,2\n3,4\n", true, 1).map(|layout| layout.first_row), Some(2));
