@@ -3,7 +3,7 @@
 use transmode::Exit;
 
 use crate::bad_files::good;
-use crate::program::{Folder, shipped, transmode};
+use crate::program::{Folder, transmode};
 
 /// A file and a window or an option that clap refuses, or that needs the file's name.
 #[test]
@@ -37,11 +37,6 @@ fn windows_and_options_that_cannot_be() {
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::BadInput, ""), "{words:?}");
         assert!(ran.err.contains(expected), "{}", ran.err);
     }
-    // The file says what its period is.
-    let good = ["noise_free_aileron.csv", "noise_free_rudder.csv"].map(shipped);
-    transmode(&["identify", &good[0], &good[1], "--sample-period", "0.2"]).refused(
-        "column \"time\" holds the time, so that --sample-period is not needed; leave it out",
-    );
     let again = folder.path("./a.csv");
     transmode(&["identify", &file, again.to_str().unwrap()]).refused("is given twice");
     transmode(&["identify", &file, &file]).refused("take two windows of it with --window");

@@ -3,6 +3,8 @@
 //! Each reader gets bytes that are no file at all behind the start that makes the program choose it, and good files with bytes changed, left
 //! out or cut off.
 
+use std::path::Path;
+
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use transmode::Exit;
@@ -56,7 +58,34 @@ fn readers() -> Vec<(&'static str, &'static [u8], Vec<u8>)> {
         ("x.npz", b"PK\x03\x04", archive(&members)),
         ("v6.mat", b"MATLAB 5.0 MAT-file", mat(Mat::V6, &vectors)),
         ("v7.mat", b"MATLAB 5.0 MAT-file", mat(Mat::V7, &vectors)),
+        ("blanks.txt", b"t b p\n0 1 2\n", text(" ")),
+        ("preamble.csv", b"sep=;\n", preamble()),
+        ("x.lvm", b"LabVIEW Measurement\n", [b"LabVIEW Measurement\n", &preamble()[..]].concat()),
+        ("structure-v6.mat", b"MATLAB 5.0 MAT-file", format("structure-v6.mat")),
+        ("structure-v7.mat", b"MATLAB 5.0 MAT-file", format("structure-v7.mat")),
+        ("structure-v73.mat", b"MATLAB 7.3 MAT-file", format("structure-v73.mat")),
+        ("groups.h5", b"\x89HDF\r\n\x1a\n", format("groups.h5")),
+        ("structured.npy", b"\x93NUMPY\x01\x00", format("structured.npy")),
+        ("x.csv.zst", b"\x28\xb5\x2f\xfd", format("two-frames.csv.zst")),
     ]
+}
+
+/// A file in the format of another program.
+fn format(name: &str) -> Vec<u8> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/formats");
+    std::fs::read(folder.join(name)).unwrap()
+}
+
+/// A table below lines of other kinds.
+fn preamble() -> Vec<u8> {
+    let rows: String = (0..60)
+        .map(|k| format!("{:.1};{};{},5\n", f64::from(k) / 10.0, k * k % 17, k % 5))
+        .collect();
+    format!(
+        "\"log\" 7\nrate: 10\n\n# time;beta;p\n# s;deg;deg/s\n# ----\n{}",
+        rows.replace('.', ",")
+    )
+    .into_bytes()
 }
 
 /// Runs `inspect` on these bytes: a result or a sentence.

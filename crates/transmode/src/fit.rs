@@ -47,10 +47,10 @@ pub(crate) fn run(
         FileKind::of(&args.file, args.channels).map_err(|error| in_file(&args.file, &error))?;
     let outcome = match kind {
         FileKind::Table => {
-            let time = args.time.as_deref().map(str::trim);
-            memory::fit(&args.file, [input, output], time, &structure, &options, progress)?
+            let reading = args.pair_options();
+            memory::fit(&args.file, [input, output], &reading, &structure, &options, progress)?
         }
-        _ if args.time.is_some() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
+        _ if args.names_time() => return Err(in_file(&args.file, &FormatError::NeedlessTime)),
         _ => stream::fit(&args.file, kind, [input, output], &structure, &options, progress)?,
     };
     let warnings = warnings(&outcome);

@@ -1,6 +1,7 @@
 //! `transmode identify`: records -> modes, on the terminal and as JSON.
 
 mod config;
+mod doubts;
 mod input;
 mod json;
 mod options;

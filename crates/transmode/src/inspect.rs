@@ -5,6 +5,7 @@ mod json;
 mod mapping;
 mod signal;
 mod text;
+mod verdict;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -14,6 +15,7 @@ use crate::records::{self, Progress};
 use crate::{CommandError, Exit, output};
 use file::{Inspected, Weight};
 use mapping::{lateral, quoted};
+use verdict::Verdict;
 
 /// Looks at the files and writes what was found.
 pub(crate) fn run(
@@ -27,7 +29,8 @@ pub(crate) fn run(
         let files: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
         output::check_place(file, &files)?;
     }
-    let inspect = |file: &PathBuf| file::inspect(file, &selection, progress);
+    let reading = args.reading.options();
+    let inspect = |file: &PathBuf| file::inspect(file, &selection, &reading, progress);
     let files = args.files.iter().map(inspect).collect::<Result<Vec<_>, _>>()?;
     let suggestion = suggestion(args, &files);
 
@@ -55,8 +58,8 @@ fn obstacle(args: &InspectArgs, files: &[Inspected]) -> Option<String> {
     }
     let period = |file: &Inspected| file.sampling.as_ref().map_or(0.0, |found| found.period_s);
     let first = files.first()?;
-    // What identify takes for the same period.
-    let differs = |file: &&Inspected| !records::is_same_period(period(file), period(first));
+    // What identify takes for one period.
+    let differs = |file: &&Inspected| !records::is_near_period(period(file), period(first));
     files.iter().find(differs).map(|file| {
         format!(
             "{} is sampled every {} s, {} every {} s: resample one of them",
@@ -76,7 +79,13 @@ fn suggestion(args: &InspectArgs, files: &[Inspected]) -> String {
     }
     // A sensor that is dead in one file, or not there, is of no use.
     let is_good = |file: &Inspected, name: &str| {
-        file.channels.iter().any(|channel| channel.name == name && !channel.signal.is_constant())
+        file.channels.iter().any(|channel| {
+            let is_useless = matches!(
+                channel.verdict,
+                Some(Verdict::Constant | Verdict::Counter | Verdict::Copy { .. })
+            );
+            channel.name == name && !is_useless
+        })
     };
     let names: Vec<&str> = first.channels.iter().map(|channel| channel.name.as_str()).collect();
     let common: Vec<&str> =

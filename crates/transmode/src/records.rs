@@ -11,12 +11,20 @@
 
 pub(crate) mod binary;
 pub(crate) mod blocks;
+pub(crate) mod clock;
+mod clock_fit;
+mod clock_unit;
+mod common_period;
+pub(crate) mod copies;
 pub(crate) mod decimation;
 pub(crate) mod format;
 pub(crate) mod format_error;
+mod hdf5;
+pub(crate) mod held;
 mod known_inputs;
 pub(crate) mod loading;
 mod mat;
+mod notes;
 pub(crate) mod npy;
 mod npz;
 pub(crate) mod open;
@@ -24,8 +32,10 @@ pub(crate) mod options;
 pub(crate) mod pair;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod paths;
 pub(crate) mod progress;
 pub(crate) mod raw;
+mod resampling;
 pub(crate) mod runs;
 mod same_units;
 pub(crate) mod sampling;
@@ -37,11 +47,14 @@ pub(crate) mod text;
 pub(crate) mod timing;
 pub(crate) mod unit;
 pub(crate) mod warning;
+pub(crate) mod wrap;
+mod zstd;
 
+pub(crate) use common_period::with_period;
 pub(crate) use loading::{Loaded, is_same_file, load};
 pub(crate) use options::{LoadOptions, Window};
 pub(crate) use progress::Progress;
-pub(crate) use sampling::{check_same_period, is_same_period};
+pub(crate) use sampling::{check_same_period, is_near_period};
 pub(crate) use segments::SHORTEST;
 pub(crate) use selection::Selection;
 pub(crate) use source::Source;

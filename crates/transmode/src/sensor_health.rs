@@ -59,11 +59,10 @@ pub(crate) fn run(
         );
         return Err(CommandError::InFile { file: first.name().into(), message });
     }
-    warnings.extend(short.into_iter().map(|record| LoadWarning::NoSpan {
-        record: record.name().to_owned(),
-        samples: record.samples(),
-        needed,
-    }));
+    for record in short {
+        let (record, samples) = (record.name().to_owned(), record.samples());
+        LoadWarning::add_once(&mut warnings, LoadWarning::NoSpan { record, samples, needed });
+    }
     let outcome = MonitorOutcome { reference, watched, warnings };
 
     output::write_result(

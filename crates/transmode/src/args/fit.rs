@@ -2,6 +2,11 @@
 
 use std::path::PathBuf;
 
+use super::files::{ReadArgs, TimeArgs};
+use crate::records::options::period;
+use crate::records::pair::PairOptions;
+use crate::records::selection::TimeSource;
+
 /// Identifies the transmissibility from one sensor to another.
 ///
 /// The model is a noncausal composite of a finite and an infinite impulse response: D(q) y_o(k) = sum of h_i y_i(k - i), i from -d to r. FILE
@@ -27,9 +32,15 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "C", value_parser = channels, allow_negative_numbers = true)]
     pub(crate) channels: Option<u64>,
 
-    /// The column of time, if not in an NPY or raw file [default: the one called time, t or timestamp].
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) time: Option<String>,
+    #[command(flatten)]
+    pub(crate) time: TimeArgs,
+
+    #[command(flatten)]
+    pub(crate) reading: ReadArgs,
+
+    /// Interpolate to a sample every so many seconds, if not of an NPY or raw file.
+    #[arg(long, value_name = "SECONDS", value_parser = period, allow_negative_numbers = true)]
+    pub(crate) resample: Option<f64>,
 
     /// Poles kept in the IIR factor of the model, l.
     #[arg(long, default_value_t = 4, value_name = "L", value_parser = order, allow_negative_numbers = true)]
@@ -54,6 +65,22 @@ pub(crate) struct FitArgs {
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
     #[arg(long, value_name = "FILE|-")]
     pub(crate) json: Option<PathBuf>,
+}
+
+impl FitArgs {
+    /// How the two sensors are read.
+    pub(crate) fn pair_options(&self) -> PairOptions {
+        let time = match self.time.source() {
+            TimeSource::Usual => TimeSource::UsualOrUnknown,
+            asked => asked,
+        };
+        PairOptions { time, reading: self.reading.options(), resample_s: self.resample }
+    }
+
+    /// Whether an option says where times come from, which arrays that are streamed do not have.
+    pub(crate) fn names_time(&self) -> bool {
+        self.time.column.is_some() || self.time.sample_period.is_some() || self.resample.is_some()
+    }
 }
 
 /// An order of the model, which may be zero here.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::files::{TimeArgs, selection};
+use super::files::{ReadArgs, TimeArgs, selection};
 use crate::records::Selection;
 
 /// Says what is in files before anything is made of them.
@@ -23,6 +23,9 @@ pub(crate) struct InspectArgs {
     #[command(flatten)]
     pub(crate) time: TimeArgs,
 
+    #[command(flatten)]
+    pub(crate) reading: ReadArgs,
+
     /// Write the result as JSON to this file, or to standard output in place of the text with -.
     #[arg(long, value_name = "FILE|-")]
     pub(crate) json: Option<PathBuf>,
@@ -31,7 +34,7 @@ pub(crate) struct InspectArgs {
 impl InspectArgs {
     /// The columns that the words ask for.
     pub(crate) fn selection(&self) -> Selection {
-        selection(&self.outputs, &self.time)
+        Selection { lenient: true, ..selection(&self.outputs, &self.time) }
     }
 }
 

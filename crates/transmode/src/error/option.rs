@@ -8,6 +8,18 @@ use crate::numbers::counted;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptionError {
+    /// A sensor that is a multiple of another one.
+    #[error(
+        "{copy:?} is {factor:.4} times {original:?} in all records, so that it says nothing of its own; leave it out of --outputs"
+    )]
+    Copy {
+        /// The sensor.
+        copy: String,
+        /// The other one, which stands before it.
+        original: String,
+        /// Their ratio.
+        factor: f64,
+    },
     /// An option that another method has.
     #[error(
         "{option} belongs to --method {owner}, not to --method {method}; leave it out, or choose that method"

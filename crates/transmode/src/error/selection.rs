@@ -131,7 +131,7 @@ pub enum SelectionError {
     /// Gaps everywhere.
     #[error(
         "{}: its gaps leave no stretch of {needed} samples, the longest has {longest}; choose sensors without missing samples \
-         with --outputs",
+         with --outputs, or interpolate those of a lower rate with --resample PERIOD",
         file.display()
     )]
     OnlyGaps {
@@ -141,18 +141,6 @@ pub enum SelectionError {
         needed: usize,
         /// Samples that the longest one has.
         longest: usize,
-    },
-    /// A sample period beside a column of time, which says the same or something else.
-    #[error(
-        "{}: column {column:?} holds the time, so that --sample-period is not needed; leave it out, or name {column:?} in --outputs \
-         if it is a sensor",
-        file.display()
-    )]
-    TimeIsThere {
-        /// The file.
-        file: PathBuf,
-        /// The column of time.
-        column: String,
     },
     /// Nothing to read.
     #[error("no record is given; name files, or stretches of files with --window")]

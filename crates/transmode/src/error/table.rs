@@ -99,10 +99,33 @@ pub enum TableError {
         column: String,
     },
     /// A header that is a row of numbers.
-    #[error("{}: the first line is a row of numbers; a header line that names the columns is needed", file.display())]
+    #[error(
+        "{}: {}, and no line above names its {}; put a header line there, or name the columns with --columns",
+        file.display(), if *line == 1 { "the first line is a row of numbers".to_owned() } else { format!("line {line} is a row of numbers") },
+        counted(*fields as u64, "column")
+    )]
     NoHeader {
         /// The file.
         file: PathBuf,
+        /// Line of the first row of numbers, from 1.
+        line: u64,
+        /// Number of fields in it.
+        fields: usize,
+    },
+    /// Other columns than were named.
+    #[error(
+        "{}, line {line}: {}, but --columns names {given}; name each of them, in their order",
+        file.display(), counted(*found as u64, "field")
+    )]
+    ColumnCount {
+        /// The file.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// Number of fields in the row.
+        found: usize,
+        /// Number of names given.
+        given: usize,
     },
     /// A field that is not a finite number.
     #[error(

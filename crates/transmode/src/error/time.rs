@@ -43,7 +43,7 @@ pub enum TimeError {
     /// Time that does not advance in equal steps.
     #[error(
         "{}, {place}: time advances by {step_s:?} s, elsewhere by {period_s:?} s{}; \
-         cut the record there or resample it to equal steps",
+         cut the record there, or interpolate it to equal steps with --resample PERIOD",
         file.display(), more(others)
     )]
     Uneven {
@@ -72,6 +72,18 @@ pub enum TimeError {
         step_s: f64,
         /// The next rows at fault, and how many there are in all.
         others: Others,
+    },
+    /// A period to interpolate to that leaves no record.
+    #[error(
+        "{}: --resample {period_s:?} leaves no record: its channels have fewer than 2 or far too many such periods in common; \
+         give a period near that of the samples, in seconds",
+        file.display()
+    )]
+    Resampling {
+        /// The file.
+        file: PathBuf,
+        /// The period asked for, in seconds.
+        period_s: f64,
     },
     /// Steps of time that are no sample period.
     #[error(

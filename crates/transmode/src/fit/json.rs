@@ -68,41 +68,47 @@ pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> Result<Vec<u
     let fit = &outcome.fit;
     let structure = fit.model.structure();
     let orders = structure.orders;
-    let output = Output {
-        schema: 1,
-        file: &outcome.file,
-        format: outcome.format,
-        input: &outcome.input,
-        output: &outcome.output,
-        sample_period_s: outcome.sample_period_s,
-        samples: outcome.samples,
-        missing_samples: outcome.missing,
-        samples_used: fit.samples_used,
-        segments: outcome.segments,
-        segments_without_equation: fit.segments_without_equation,
-        orders: OrdersOutput {
-            iir: orders.iir(),
-            causal: orders.causal(),
-            anticausal: orders.anticausal(),
-        },
-        constant_term: structure.constant_term == ConstantTerm::Included,
-        equations: fit.equations,
-        rank: fit.rank,
-        degrees_of_freedom: fit.degrees_of_freedom,
-        condition: fit.condition,
-        singular_values: &fit.singular_values,
-        expected_error: fit.expected_error,
-        residual_norm: fit.residual_norm,
-        residual_rms: fit.residual_rms,
-        relative_residual: fit.relative_residual,
-        noise_variance: fit.noise_variance,
-        parameters: outcome.estimates().iter().map(parameter).collect(),
-        poles: outcome.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
-        warnings: warnings
-            .iter()
-            .map(|warning| WarningOutput { code: warning.code(), text: warning.to_string() })
-            .collect(),
-    };
+    let output =
+        Output {
+            schema: 1,
+            file: &outcome.file,
+            format: outcome.format,
+            input: &outcome.input,
+            output: &outcome.output,
+            sample_period_s: outcome.sample_period_s,
+            samples: outcome.samples,
+            missing_samples: outcome.missing,
+            samples_used: fit.samples_used,
+            segments: outcome.segments,
+            segments_without_equation: fit.segments_without_equation,
+            orders: OrdersOutput {
+                iir: orders.iir(),
+                causal: orders.causal(),
+                anticausal: orders.anticausal(),
+            },
+            constant_term: structure.constant_term == ConstantTerm::Included,
+            equations: fit.equations,
+            rank: fit.rank,
+            degrees_of_freedom: fit.degrees_of_freedom,
+            condition: fit.condition,
+            singular_values: &fit.singular_values,
+            expected_error: fit.expected_error,
+            residual_norm: fit.residual_norm,
+            residual_rms: fit.residual_rms,
+            relative_residual: fit.relative_residual,
+            noise_variance: fit.noise_variance,
+            parameters: outcome.estimates().iter().map(parameter).collect(),
+            poles: outcome.poles.as_ref().ok().map(|poles| poles.iter().flat_map(pole).collect()),
+            warnings: outcome
+                .notes
+                .iter()
+                .map(|note| WarningOutput { code: note.code(), text: note.to_string() })
+                .chain(warnings.iter().map(|warning| WarningOutput {
+                    code: warning.code(),
+                    text: warning.to_string(),
+                }))
+                .collect(),
+        };
     json::text(&output)
 }
 

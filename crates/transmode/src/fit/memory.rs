@@ -8,17 +8,18 @@ use super::explained::explained;
 use super::outcome::{FitOutcome, Passes, poles, short_name};
 use crate::CommandError;
 use crate::error::in_file;
-use crate::records::{Progress, pair};
+use crate::records::Progress;
+use crate::records::pair::{self, PairOptions};
 
 pub(super) fn fit(
     file: &Path,
     [input, output]: [&str; 2],
-    time: Option<&str>,
+    reading: &PairOptions,
     structure: &Structure,
     options: &FitOptions,
     progress: Progress,
 ) -> Result<FitOutcome, CommandError> {
-    let pair = pair::load(file, [input, output], time, progress)?;
+    let pair = pair::load(file, [input, output], reading, progress)?;
     let segments = pair
         .stretches
         .iter()
@@ -39,6 +40,7 @@ pub(super) fn fit(
         missing: (pair.input.len() - used) as u64,
         segments: pair.stretches.len(),
         poles: poles(&fit),
+        notes: pair.warnings,
         fit,
     })
 }

@@ -5,6 +5,8 @@ use std::path::Path;
 use cfi_ident::{Fit, Parameter};
 use poly::{MrootsOptions, Poly, Root, mroots};
 
+use crate::records::LoadWarning;
+
 /// What one run found.
 #[derive(Debug)]
 pub(super) struct FitOutcome {
@@ -25,6 +27,8 @@ pub(super) struct FitOutcome {
     pub(super) fit: Fit,
     /// The roots of D in z, or why they are not known.
     pub(super) poles: Result<Vec<Root>, String>,
+    /// What was done to the file.
+    pub(super) notes: Vec<LoadWarning>,
 }
 
 /// How often the record was read.

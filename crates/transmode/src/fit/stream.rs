@@ -70,6 +70,7 @@ pub(super) fn fit(
         missing: sums.missing,
         segments: sums.segments,
         poles: poles(&fit),
+        notes: Vec::new(),
         fit,
     })
 }

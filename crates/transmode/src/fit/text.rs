@@ -55,6 +55,9 @@ pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> String {
         let _ = writeln!(text, "poles in z: {}", listed(poles));
     }
     let _ = writeln!(text, "\n{}\n", table(&outcome.estimates()));
+    for note in &outcome.notes {
+        let _ = writeln!(text, "{}: {note}", note.label());
+    }
     for warning in warnings {
         let _ = writeln!(text, "warning: {warning}");
     }

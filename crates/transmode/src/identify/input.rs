@@ -6,7 +6,8 @@ use super::options;
 use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{MethodName, QuietFile};
-use crate::error::OptionError;
+use crate::error::{OptionError, in_file};
+use crate::records::copies::copies;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress, Source};
 
 /// What the methods are given.
@@ -28,6 +29,7 @@ pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, Com
     let loaded = records::load(&args.files.files, &options, progress)?;
     let Loaded { records, sources, known_inputs, warnings, .. } = loaded;
     let mut input = Input { records, sources, known_inputs, noise: None, warnings };
+    leave_out_copies(&mut input, &args.files.outputs)?;
     check_number(args, &input)?;
     if args.method() == MethodName::AsPrinted {
         keep_longest(&mut input);
@@ -39,6 +41,45 @@ pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, Com
         input.noise = Some(noise);
     }
     Ok(input)
+}
+
+/// Leaves out sensors that are multiples of others, which say nothing and would make noise look
+/// known exactly; refuses them where they were asked for.
+fn leave_out_copies(input: &mut Input, asked: &[String]) -> Result<(), CommandError> {
+    check_channels(&input.records)?;
+    fn values(record: &Record) -> Vec<&[f64]> {
+        record.channels().iter().map(|channel| channel.values.as_slice()).collect()
+    }
+    let copies = copies(&input.records.iter().map(values).collect::<Vec<_>>());
+    let Some(first) = input.records.first() else { return Ok(()) };
+    let name = |index: usize| first.channels()[index].name.clone();
+    if let (Some(found), false) = (copies.first(), asked.is_empty()) {
+        let [copy, original] = [found.copy, found.original].map(name);
+        return Err(OptionError::Copy { copy, original, factor: found.factor }.into());
+    }
+    let warnings: Vec<LoadWarning> = copies
+        .iter()
+        .map(|found| LoadWarning::CopyLeftOut {
+            column: name(found.copy),
+            other: name(found.original),
+            factor: found.factor,
+        })
+        .collect();
+    if copies.is_empty() {
+        return Ok(());
+    }
+    input.warnings.extend(warnings);
+    let is_kept = |index: usize| !copies.iter().any(|found| found.copy == index);
+    for (record, source) in input.records.iter_mut().zip(&mut input.sources) {
+        let channels = record.channels().iter().enumerate();
+        let kept =
+            channels.filter(|(index, _)| is_kept(*index)).map(|(_, channel)| channel.clone());
+        *record = Record::new(record.name(), record.period(), kept.collect())
+            .map_err(|error| in_file(&source.file, &error))?;
+        let units = std::mem::take(&mut source.units).into_iter().enumerate();
+        source.units = units.filter(|(index, _)| is_kept(*index)).map(|(_, unit)| unit).collect();
+    }
+    Ok(())
 }
 
 /// Refuses fewer excitations than the method needs. The stretches between the gaps of one record are taken to have one excitation.
@@ -154,13 +195,14 @@ fn leave_out_idle(
                 }
                 Some(_) => {
                     input.known_inputs[index][position].fill(0.0);
+                    // Of its stretches only once, and not where the file has no such column.
+                    let whole = whole_name(&input.records[index]).to_owned();
                     let missing = input.warnings.iter().any(|warning| {
-                        let file = record.split('#').next().unwrap_or_default();
-                        matches!(warning, LoadWarning::InputMissing { file: other, column: own } if file.starts_with(other.as_str()) && own == column)
+                        matches!(warning, LoadWarning::InputMissing { file, column: own } if whole.starts_with(file.as_str()) && own == column)
                     });
-                    if !missing {
-                        let column = column.clone();
-                        input.warnings.push(LoadWarning::IdleInput { record, column });
+                    let warning = LoadWarning::IdleInput { record: whole, column: column.clone() };
+                    if !missing && !input.warnings.contains(&warning) {
+                        input.warnings.push(warning);
                     }
                 }
                 None => {}
@@ -259,6 +301,13 @@ fn quiet(
     if let Some(index) = input.sources.iter().position(overlaps) {
         let (noise, record) = (record.name().to_owned(), input.records[index].name().to_owned());
         return Err(OptionError::NoiseOverlaps { noise, record }.into());
+    }
+    // The clocks of two loggers, or stamps that are rounded.
+    if let Some(period_s) = input.records.first().map(|first| first.period().seconds())
+        && records::is_near_period(record.period().seconds(), period_s)
+    {
+        return records::with_period(record, period_s)
+            .map_err(|error| in_file(&source.file, &*error));
     }
     Ok(record.clone())
 }

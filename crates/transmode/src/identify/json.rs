@@ -8,10 +8,12 @@ use reconstruct::subspace::OrderEvidence;
 use reconstruct::{ComparedOrder, Offsets, Trend, likelihood};
 use serde::Serialize;
 
+use super::doubts;
 use super::outcome::Outcome;
 use crate::CommandError;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
+use crate::records::clock::Clock;
 use paper::TransmissibilityOutput;
 use recorded::RecordedOutput;
 
@@ -86,6 +88,15 @@ struct RecordOutput<'a> {
     /// Probability of residuals as little white by chance.
     chi2_per_dof: Option<f64>,
     whiteness_p_value: Option<f64>,
+    clock: ClockOutput,
+}
+
+/// Where the sample period of a record comes from.
+#[derive(Serialize)]
+struct ClockOutput {
+    basis: &'static str,
+    fitted_period_s: Option<f64>,
+    largest_deviation_s: Option<f64>,
 }
 
 /// A mode; a complex pair appears once, with a positive imaginary part.
@@ -155,8 +166,8 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     let solution = result.paper();
     let fit = result.fit();
     let output_error = result.output_error();
-    let doubts =
-        result.doubts.iter().map(|doubt| Warning { code: doubt.code(), text: doubt.to_string() });
+    let doubts = doubts::said(outcome);
+    let doubts = doubts.into_iter().map(|doubt| Warning { code: doubt.code, text: doubt.text });
     let warnings = outcome.warnings.iter();
     let output = Output {
         schema: 1,
@@ -241,8 +252,19 @@ fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
         excitation_rank: excitations.get(index).map(|excitation| excitation.rank),
         chi2_per_dof: sizes.get(index).copied(),
         whiteness_p_value: whiteness.get(index).map(|test| test.p_value),
+        clock: outcome.sources.get(index).map_or(Clock::GIVEN, |source| source.clock).into(),
     };
     outcome.records.iter().enumerate().map(record).collect()
+}
+
+impl From<Clock> for ClockOutput {
+    fn from(clock: Clock) -> Self {
+        Self {
+            basis: clock.word(),
+            fitted_period_s: clock.fitted_period_s,
+            largest_deviation_s: clock.largest_deviation_s,
+        }
+    }
 }
 
 fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {

@@ -10,6 +10,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use reconstruct::likelihood::Estimate;
 use report::{format_conjugate_pair, format_significant};
 
+use super::doubts;
 use super::outcome::Outcome;
 use crate::args::values::MethodName;
 use crate::modes::IdentifiedMode;
@@ -43,10 +44,10 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
     };
     let _ = writeln!(text, "\n{summary}");
     for warning in outcome.warnings {
-        let _ = writeln!(text, "warning: {warning}");
+        let _ = writeln!(text, "{}: {warning}", warning.label());
     }
-    for doubt in &outcome.result.doubts {
-        let _ = writeln!(text, "warning: {doubt}");
+    for doubt in doubts::said(outcome) {
+        let _ = writeln!(text, "warning: {}", doubt.text);
     }
     text
 }

@@ -3,14 +3,20 @@
 use std::path::Path;
 
 use super::signal::Signal;
+use super::verdict::{self, Verdict};
 use crate::CommandError;
 use crate::numbers::rounded;
+use crate::records::clock::Clock;
 use crate::records::loading::in_si;
 use crate::records::open::open;
+use crate::records::options::ReadOptions;
 use crate::records::progress::Progress;
 use crate::records::sampling::Even;
 use crate::records::segments::{SHORTEST, segments};
-use crate::records::selection::{Selection, TimeSource, Wanted, is_time};
+use crate::records::selection::{Selected, Selection, TimeSource, Wanted, is_time};
+use crate::records::table::Table;
+use crate::records::timing::{Steps, Times};
+use crate::records::unit::Unit;
 
 /// A method needs at least so many sensors.
 const FEWEST_SENSORS: usize = 3;
@@ -27,7 +33,16 @@ pub(super) struct Inspected {
     /// `None` if the steps are not even.
     pub(super) sampling: Option<Sampled>,
     pub(super) channels: Vec<Channel>,
+    /// Columns that are no channels.
+    pub(super) others: Vec<Other>,
     pub(super) findings: Vec<Finding>,
+}
+
+/// A column that is no channel, and what it is.
+#[derive(Debug)]
+pub(super) struct Other {
+    pub(super) name: String,
+    pub(super) verdict: Verdict,
 }
 
 /// Even steps.
@@ -35,6 +50,8 @@ pub(super) struct Inspected {
 pub(super) struct Sampled {
     pub(super) period_s: f64,
     pub(super) jitter: f64,
+    /// What the stamps were taken for, where they are not even by themselves.
+    pub(super) assumed: Option<Clock>,
     /// Where each stretch between gaps starts, and its samples.
     pub(super) stretches: Vec<(String, usize)>,
 }
@@ -48,6 +65,8 @@ pub(super) struct Channel {
     /// What it is converted to.
     pub(super) si: Option<&'static str>,
     pub(super) signal: Signal,
+    /// What it is, where it is more than a signal.
+    pub(super) verdict: Option<Verdict>,
 }
 
 /// Something that a person should know.
@@ -71,9 +90,10 @@ pub(super) enum Weight {
 pub(super) fn inspect(
     file: &Path,
     selection: &Selection,
+    reading: &ReadOptions,
     progress: Progress,
 ) -> Result<Inspected, CommandError> {
-    let opened = open(file, progress)?;
+    let opened = open(file, reading, progress)?;
     let (mut selection, mut findings) = (selection.clone(), Vec::new());
     if selection.time == TimeSource::Usual
         && !opened.headings().iter().any(|heading| is_time(&heading.name))
@@ -82,17 +102,18 @@ pub(super) fn inspect(
         let text = "no column is called time, t or timestamp: name it with --time, or give --sample-period".to_owned();
         findings.push(Finding { weight: Weight::Problem, code: "no-time", text });
     }
-    let selected = selection.select(file, opened.format(), opened.headings())?;
-    let (table, times) = in_si(file, opened, &selected, &selection.time)?;
+    let mut selected = selection.select(file, opened.format(), opened.headings())?;
+    let (table, times) = in_si(file, opened, &mut selected, &selection)?;
     let time = selected.time.map(|time| table.headings[time.index].name.clone());
     let rows = 0..times.samples();
     let values: Vec<&[f64]> = table.values.iter().map(Vec::as_slice).collect();
     let sampling = match times.sampling(file, &table, rows.clone()) {
-        Ok(Even { period_s, jitter, after_gaps }) => {
+        Ok(Steps { even: Even { period_s, jitter, after_gaps }, clock, is_assumed }) => {
             let stretches = segments(rows.clone(), &after_gaps, &values);
             let stretches =
                 stretches.into_iter().map(|s| (table.places.of(s.start), s.len())).collect();
-            Some(Sampled { period_s, jitter, stretches })
+            let assumed = is_assumed.then_some(clock);
+            Some(Sampled { period_s, jitter, assumed, stretches })
         }
         Err(error) => {
             findings.push(Finding {
@@ -106,11 +127,17 @@ pub(super) fn inspect(
     let channel = |(index, sensor): (usize, &Wanted)| {
         let heading = table.heading(index);
         let (name, unit) = (heading.name.clone(), heading.unit.clone());
-        Channel { name, unit, si: sensor.si, signal: Signal::of(values[index]) }
+        Channel { name, unit, si: sensor.si, signal: Signal::of(values[index]), verdict: None }
     };
-    let channels: Vec<Channel> = selected.sensors.iter().enumerate().map(channel).collect();
+    let mut channels: Vec<Channel> = selected.sensors.iter().enumerate().map(channel).collect();
+    verdict::judge(&mut channels, &values, sampling.as_ref().map(|sampled| sampled.period_s));
+    if let Some(sampled) = &sampling {
+        findings.extend(clock(sampled, &times));
+    }
     findings.extend(sampling.iter().filter_map(gaps));
-    findings.extend(of_channels(&channels, &values, &|row| table.places.of(row)));
+    findings.extend(of_channels(&channels, &|row| table.places.of(row)));
+    let (others, notes) = not_read(&table, &selected, &selection);
+    findings.extend(notes);
     let last = rows.end.saturating_sub(1);
     Ok(Inspected {
         file: file.display().to_string(),
@@ -121,8 +148,72 @@ pub(super) fn inspect(
         span_s: [0, last].map(|row| rounded(times.at(row), 15)),
         sampling,
         channels,
+        others,
         findings,
     })
+}
+
+/// What there is to say of the column of time.
+fn clock(sampled: &Sampled, times: &Times) -> Vec<Finding> {
+    let period_s = rounded(sampled.period_s, 8);
+    let mut texts = Vec::new();
+    if let Some(clock) = sampled.assumed {
+        let largest = rounded(clock.largest_deviation_s.unwrap_or_default(), 2);
+        let text = format!(
+            "the sample period of {period_s} s is fitted to the time stamps, the largest deviation is {largest} s; assumed: {clock}"
+        );
+        texts.push(("clock", text));
+    }
+    texts.extend(times.unit_note(period_s).map(|note| ("clock-unit", format!("column {note}"))));
+    let note = |(code, text)| Finding { weight: Weight::Note, code, text };
+    texts.into_iter().map(note).collect()
+}
+
+/// Columns that are no channels, with a note where that needs one.
+fn not_read(
+    table: &Table,
+    selected: &Selected,
+    selection: &Selection,
+) -> (Vec<Other>, Vec<Finding>) {
+    let (mut others, mut findings) = (Vec::new(), Vec::new());
+    let mut note = |code, text| findings.push(Finding { weight: Weight::Note, code, text });
+    for (index, heading) in table.headings.iter().enumerate() {
+        let name = heading.name.clone();
+        if selected.time.is_some_and(|time| time.index == index) {
+            others.push(Other { name, verdict: Verdict::Time });
+            continue;
+        }
+        let is_wanted = selection.outputs.is_empty() || selection.outputs.contains(&name);
+        let word = table.ignored.iter().find(|column| column.index == index);
+        let is_short = heading.samples.is_some_and(|samples| samples != table.rows());
+        let why = match (&heading.fault, word) {
+            (Some(fault), _) => fault.clone(),
+            (None, Some(column)) => format!("it {}", column.why),
+            (None, None) if is_short && is_wanted => {
+                format!(
+                    "it has {} samples, others have {}",
+                    heading.samples.unwrap_or_default(),
+                    table.rows()
+                )
+            }
+            _ => continue,
+        };
+        if is_wanted && !name.is_empty() {
+            note("not-read", format!("{name} is ignored: {why}"));
+            others.push(Other { name, verdict: Verdict::NotRead { why } });
+        }
+    }
+    for sensor in &selected.sensors {
+        let heading = &table.headings[sensor.index];
+        if let Some(unit) = heading.unit.as_deref().filter(|unit| Unit::parse(unit).is_none()) {
+            let text = format!(
+                "the unit {unit:?} of {} is not known; its numbers are taken as they are",
+                heading.name
+            );
+            note("unit-unknown", text);
+        }
+    }
+    (others, findings)
 }
 
 /// An error's sentence without the name of the file, which stands above it.
@@ -137,8 +228,9 @@ fn gaps(sampled: &Sampled) -> Option<Finding> {
     let longest = sampled.stretches.iter().map(|(_, samples)| *samples).max().unwrap_or(0);
     let count = sampled.stretches.len();
     if count == 0 || (count > 1 && longest < SHORTEST) {
-        let text =
-            format!("gaps leave no stretch of {SHORTEST} samples, the longest has {longest}");
+        let text = format!(
+            "gaps leave no stretch of {SHORTEST} samples, the longest has {longest}; --resample interpolates channels of a lower rate"
+        );
         return Some(Finding { weight: Weight::Problem, code: "only-gaps", text });
     }
     (count > 1).then(|| {
@@ -153,14 +245,10 @@ fn gaps(sampled: &Sampled) -> Option<Finding> {
     })
 }
 
-fn of_channels(
-    channels: &[Channel],
-    values: &[&[f64]],
-    place: &dyn Fn(usize) -> String,
-) -> Vec<Finding> {
+fn of_channels(channels: &[Channel], place: &dyn Fn(usize) -> String) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut add = |weight, code, text| findings.push(Finding { weight, code, text });
-    for (index, Channel { name, signal, .. }) in channels.iter().enumerate() {
+    for Channel { name, signal, verdict, .. } in channels {
         if signal.is_constant() {
             add(
                 Weight::Problem,
@@ -169,13 +257,40 @@ fn of_channels(
             );
             continue;
         }
-        let equal = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
-        if let Some(other) = (0..index).find(|other| equal(values[*other], values[index])) {
-            let text = format!(
-                "{name} repeats {}; leave one of them out with --outputs",
-                channels[other].name
-            );
-            add(Weight::Problem, "duplicate", text);
+        match verdict {
+            Some(Verdict::Copy { of, factor }) => {
+                let text = if (factor - 1.0).abs() < 1e-9 {
+                    format!("{name} repeats {of}; leave one of them out with --outputs")
+                } else {
+                    format!(
+                        "{name} is {} times {of}; leave one of them out with --outputs",
+                        rounded(*factor, 6)
+                    )
+                };
+                add(Weight::Problem, "duplicate", text);
+            }
+            Some(Verdict::Counter) => {
+                let text = format!(
+                    "{name} counts up evenly and is no sensor; leave it out with --outputs"
+                );
+                add(Weight::Note, "counter", text);
+            }
+            Some(Verdict::Held { rows }) => {
+                let text = format!(
+                    "{name} holds each value for {rows} rows: it is sampled at a lower rate; --resample interpolates it"
+                );
+                add(Weight::Note, "held", text);
+            }
+            Some(Verdict::Wraps { turn }) => {
+                let text = format!(
+                    "{name} jumps by a turn of {}; identify has it go on, unless --unwrap=false",
+                    rounded(*turn, 4)
+                );
+                add(Weight::Note, "wraps", text);
+                // Its jumps would be outliers.
+                continue;
+            }
+            _ => {}
         }
         if signal.outlier_count > 0 {
             let rows: Vec<_> = signal.outliers.iter().map(|row| place(*row)).collect();
@@ -187,7 +302,9 @@ fn of_channels(
                 format!("{name} has outliers: {}{more}", rows.join(", ")),
             );
         }
-        if let Some((row, length)) = signal.stuck {
+        if let Some((row, length)) = signal.stuck
+            && !matches!(verdict, Some(Verdict::Held { .. } | Verdict::Counter))
+        {
             add(
                 Weight::Note,
                 "stuck",

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::file::{Channel, Finding, Inspected, Weight};
+use super::verdict::Verdict;
 use crate::{CommandError, json};
 
 #[derive(Serialize)]
@@ -26,6 +27,7 @@ struct FileOutput<'a> {
     jitter: Option<f64>,
     stretches: Vec<StretchOutput<'a>>,
     channels: Vec<ChannelOutput<'a>>,
+    other_columns: Vec<OtherOutput<'a>>,
     findings: Vec<FindingOutput<'a>>,
 }
 
@@ -52,6 +54,24 @@ struct ChannelOutput<'a> {
     /// Index of the first few, from 0.
     outlier_samples: &'a [usize],
     constant: bool,
+    /// Absent where it is a signal and nothing more.
+    verdict: Option<VerdictOutput<'a>>,
+}
+
+/// What a column is.
+#[derive(Serialize)]
+struct VerdictOutput<'a> {
+    is: &'static str,
+    /// Rows for which a value is held; the turn at which it wraps; the factor to another column.
+    number: Option<f64>,
+    of: Option<&'a str>,
+}
+
+/// A column that is no channel.
+#[derive(Serialize)]
+struct OtherOutput<'a> {
+    name: &'a str,
+    verdict: VerdictOutput<'a>,
 }
 
 #[derive(Serialize)]
@@ -85,8 +105,17 @@ fn file(file: &Inspected) -> FileOutput<'_> {
             .map(|(place, samples)| StretchOutput { starts_at: place, samples: *samples })
             .collect(),
         channels: file.channels.iter().map(channel).collect(),
+        other_columns: file
+            .others
+            .iter()
+            .map(|other| OtherOutput { name: &other.name, verdict: verdict(&other.verdict) })
+            .collect(),
         findings: file.findings.iter().map(finding).collect(),
     }
+}
+
+fn verdict(verdict: &Verdict) -> VerdictOutput<'_> {
+    VerdictOutput { is: verdict.word(), number: verdict.number(), of: verdict.other() }
 }
 
 fn channel(channel: &Channel) -> ChannelOutput<'_> {
@@ -104,6 +133,7 @@ fn channel(channel: &Channel) -> ChannelOutput<'_> {
         outliers: signal.outlier_count,
         outlier_samples: &signal.outliers,
         constant: signal.is_constant(),
+        verdict: channel.verdict.as_ref().map(verdict),
     }
 }
 

@@ -6,6 +6,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use report::format_significant;
 
 use super::file::{Inspected, Weight};
+use crate::numbers::rounded;
 
 /// All files one after another, then the suggestion.
 pub(super) fn render(files: &[Inspected], suggestion: &str) -> String {
@@ -41,14 +42,23 @@ fn times(file: &Inspected) -> String {
     let Some(column) = &file.time else {
         return format!("every {} s if that is its sample period", sampled.period_s);
     };
+    if sampled.assumed.is_some() {
+        return format!(
+            "every {} s from {start} s to {end} s, fitted to {column}",
+            rounded(sampled.period_s, 8)
+        );
+    }
     let jitter = format_significant(100.0 * sampled.jitter, 2);
     format!("every {} s from {start} s to {end} s by {column}, jitter {jitter} %", sampled.period_s)
 }
 
 fn table(file: &Inspected) -> Table {
     let mut table = Table::new();
-    let header = ["channel", "unit", "min", "max", "mean", "rms", "missing", "outliers"];
-    table.load_style(presets::NOTHING).set_header(header);
+    let header = ["channel", "unit", "min", "max", "mean", "rms", "missing", "outliers", "is"];
+    // Most columns are signals and nothing more.
+    let with_verdicts = file.channels.iter().any(|channel| channel.verdict.is_some());
+    let shown_columns = if with_verdicts { header.len() } else { header.len() - 1 };
+    table.load_style(presets::NOTHING).set_header(&header[..shown_columns]);
     for channel in &file.channels {
         let signal = &channel.signal;
         let unit = match (&channel.unit, channel.si) {
@@ -62,9 +72,11 @@ fn table(file: &Inspected) -> Table {
         };
         let [min, max, mean, rms] = numbers.map(shown);
         let (missing, outliers) = (signal.missing.to_string(), signal.outlier_count.to_string());
-        table.add_row([channel.name.clone(), unit, min, max, mean, rms, missing, outliers]);
+        let verdict = channel.verdict.as_ref().map(ToString::to_string).unwrap_or_default();
+        let row = [channel.name.clone(), unit, min, max, mean, rms, missing, outliers, verdict];
+        table.add_row(&row[..shown_columns]);
     }
-    for column in table.column_iter_mut().skip(2) {
+    for column in table.column_iter_mut().skip(2).take(6) {
         column.set_cell_alignment(CellAlignment::Right);
     }
     table

@@ -91,7 +91,7 @@ fn margin(factor: NonZero<usize>) -> usize {
 }
 
 /// The modified Bessel function of order zero, by its power series.
-fn bessel_i0(x: f64) -> f64 {
+pub(super) fn bessel_i0(x: f64) -> f64 {
     let quarter = x * x / 4.0;
     let (mut sum, mut term, mut k) = (1.0, 1.0, 1.0);
     while term > 1e-17 * sum {

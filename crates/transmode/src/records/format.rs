@@ -24,8 +24,68 @@ pub(crate) enum Format {
     Npz,
     /// MATLAB, level 5.
     Mat,
+    /// MATLAB, version 7.3, which is HDF5.
+    Mat73,
+    Hdf5,
     Parquet,
+    ZstdText,
 }
+
+/// Formats that are told by their first bytes and not read: what they are, and what to do.
+const FOREIGN: [(&[u8], &str, &str); 14] = [
+    (
+        b"ULog\x01\x12\x35",
+        "this is a PX4 flight log (ULog)",
+        "convert it with ulog2csv of the Python package pyulog, which writes a CSV file for each topic",
+    ),
+    (
+        b"TDSm",
+        "this is a National Instruments file (TDMS)",
+        "export it as CSV or LVM in LabVIEW or DIAdem, or convert it with tdmsinfo and nptdms in Python",
+    ),
+    (
+        b"MDF     ",
+        "this is a measurement data file (MDF)",
+        "export it as CSV or MAT, with the Python package asammdf say",
+    ),
+    (
+        b"UnFinMF ",
+        "this is a measurement data file (MDF) that was not finished",
+        "repair and export it as CSV, with the Python package asammdf say",
+    ),
+    (
+        b"\xa3\x95\x80\x80",
+        "this is an ArduPilot log (DataFlash)",
+        "convert it with mavlogdump.py --format csv of the Python package pymavlink",
+    ),
+    (b"#ROSBAG", "this is a ROS bag", "export its topics as CSV, with rostopic echo -p say"),
+    (
+        b"\x89MCAP0\r\n",
+        "this is an MCAP file",
+        "export its topics as CSV, with the Python package mcap say",
+    ),
+    (
+        b"SQLite format 3\0",
+        "this is an SQLite database",
+        "export the table as CSV, with sqlite3 -csv say",
+    ),
+    (
+        b"CDF\x01",
+        "this is a classic NetCDF file",
+        "save it as NetCDF-4, which is HDF5, with nccopy -k 4",
+    ),
+    (
+        b"CDF\x02",
+        "this is a classic NetCDF file",
+        "save it as NetCDF-4, which is HDF5, with nccopy -k 4",
+    ),
+    (b"ARROW1", "this is an Arrow file", "save it as CSV"),
+    (b"\xfd7zXZ\0", "this is a file compressed with xz", "unpack it with xz -d"),
+    (b"BZh", "this is a file compressed with bzip2", "unpack it with bunzip2"),
+    (b"\x04\x22\x4d\x18", "this is a file compressed with lz4", "unpack it with lz4 -d"),
+];
+
+const ZSTD_MAGIC: &[u8] = b"\x28\xb5\x2f\xfd";
 
 impl Format {
     /// Judges the first bytes of a file, at most [`START`].
@@ -52,14 +112,17 @@ impl Format {
         if start.starts_with(b"MATLAB 7.3")
             || start.get(512..).is_some_and(|start| start.starts_with(HDF5_MAGIC))
         {
-            return Err(FormatError::Mat73);
+            return Ok(Self::Mat73);
         }
         if start.starts_with(HDF5_MAGIC) {
-            return Err(if extension == Some("mat") {
-                FormatError::Mat73
-            } else {
-                FormatError::Hdf5
-            });
+            return Ok(if extension == Some("mat") { Self::Mat73 } else { Self::Hdf5 });
+        }
+        if start.starts_with(ZSTD_MAGIC) {
+            return Ok(Self::ZstdText);
+        }
+        if let Some((_, what, remedy)) = FOREIGN.iter().find(|(magic, ..)| start.starts_with(magic))
+        {
+            return Err(FormatError::Foreign { what, remedy });
         }
         if is_mat(start) {
             return Ok(Self::Mat);
@@ -79,7 +142,7 @@ impl Format {
     }
 
     pub(crate) fn is_text(self) -> bool {
-        matches!(self, Self::Text | Self::GzippedText)
+        matches!(self, Self::Text | Self::GzippedText | Self::ZstdText)
     }
 
     /// A short name for messages and other programs.
@@ -89,7 +152,10 @@ impl Format {
             Self::GzippedText => "csv.gz",
             Self::Npy => "npy",
             Self::Npz => "npz",
+            Self::ZstdText => "csv.zst",
             Self::Mat => "mat",
+            Self::Mat73 => "mat v7.3",
+            Self::Hdf5 => "hdf5",
             Self::Parquet => "parquet",
         }
     }

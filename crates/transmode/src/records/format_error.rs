@@ -23,14 +23,8 @@ pub(crate) enum FormatError {
         "this is text in UTF-16; save it as UTF-8, for example as \"CSV UTF-8\" in a spreadsheet"
     )]
     Utf16,
-    #[error("byte {at} is zero, so this is no text, and no other format that is read: CSV, .mat (-v7), .npy, .npz{parquet}", parquet = PARQUET)]
+    #[error("byte {at} is zero, so this is no text, and no other format that is read: CSV, .mat, .h5, .npy, .npz{parquet}", parquet = PARQUET)]
     Binary { at: usize },
-    #[error(
-        "this is a MATLAB file of version 7.3, which is HDF5; save it with save('file.mat', '-v7')"
-    )]
-    Mat73,
-    #[error("this is an HDF5 file; export its channels as CSV or NPZ")]
-    Hdf5,
     #[error("this is a MATLAB file of version 4; save it with save('file.mat', '-v7')")]
     Mat4,
     #[error(
@@ -50,9 +44,17 @@ pub(crate) enum FormatError {
     #[error("the MATLAB file is damaged or truncated at byte {at}: {what}; copy or save it again")]
     DamagedMat { at: u64, what: &'static str },
     #[error(
-        "the file holds no numeric vector or matrix (it holds {found}); save the channels as variables of their own, a structure with save('file.mat', '-struct', 'name', '-v7')"
+        "the file holds no numeric vector or matrix (it holds {found}); save the channels as variables, or as fields of a structure"
     )]
     NoNumbers { found: String },
+    #[error("it has no variable {variable:?}; it has {available}")]
+    NoVariable { variable: String, available: String },
+    #[error("{what}; {remedy}")]
+    Foreign { what: &'static str, remedy: &'static str },
+    #[error(
+        "the HDF5 file cannot be read ({what}); copy it again, or export its channels as CSV or NPZ"
+    )]
+    Hdf5 { what: String },
     #[error("raw doubles do not say how many channels there are; give --channels")]
     MissingChannels,
     #[error("--channels is for raw doubles only; leave it out, or call the file .f64")]
@@ -76,7 +78,9 @@ pub(crate) enum FormatError {
          save array.astype(\"float64\")"
     )]
     Numbers { descr: String },
-    #[error("the array is structured; a plain one of floats, samples x channels, is needed")]
+    #[error(
+        "the array is structured; a plain one of floats, samples x channels, is needed here: identify and inspect read its fields"
+    )]
     Structured,
     #[error(
         "the array has the shape {}; two dimensions, samples x channels, are needed: {}",
@@ -100,6 +104,18 @@ pub(crate) enum FormatError {
         counted(*channels, "channel")
     )]
     RawLength { length: u64, channels: u64, row: u64 },
+}
+
+impl FormatError {
+    /// Of a variable that is not among these.
+    pub(super) fn no_variable(variable: &str, all: &[&str]) -> Self {
+        const LISTED: usize = 30;
+        let mut available = all.iter().take(LISTED).copied().collect::<Vec<_>>().join(", ");
+        if all.len() > LISTED {
+            available += &format!(" and {} more", all.len() - LISTED);
+        }
+        Self::NoVariable { variable: variable.to_owned(), available }
+    }
 }
 
 /// One more format, where the program was built with it.

@@ -83,7 +83,7 @@ pub(super) fn select(
         return Err(refused(&headings[sensor.index].name, why));
     }
     for index in inputs {
-        selected.sensors.push(wanted(file, headings, index)?);
+        selected.sensors.push(wanted(file, headings, index, false)?);
     }
     Ok(missing)
 }

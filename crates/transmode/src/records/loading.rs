@@ -6,17 +6,21 @@ use std::path::{Path, PathBuf};
 use lti::SamplePeriod;
 use reconstruct::{Channel, Record};
 
+use super::clock::Clock;
+use super::common_period;
 use super::decimation::{self, Decimator};
 use super::known_inputs;
+use super::notes;
 use super::open::open;
-use super::options::{LoadOptions, Window};
+use super::options::{Angles, LoadOptions, Window};
 use super::progress::Progress;
+use super::resampling;
 use super::same_units;
 use super::segments::{SHORTEST, segments};
-use super::selection::{Selected, TimeSource};
+use super::selection::{Selected, Selection};
 use super::source::Source;
 use super::table::{Opened, Table};
-use super::timing::{Times, scale};
+use super::timing::{Steps, Times, scale, shift};
 use super::warning::LoadWarning;
 use crate::CommandError;
 use crate::error::{SelectionError, in_file};
@@ -65,6 +69,7 @@ pub(crate) fn load(
     check_missing_inputs(&files, options, &mut loaded)?;
     let warnings = same_units::check(&loaded.records, &loaded.sources)?;
     loaded.warnings.extend(warnings);
+    common_period::share(&mut loaded, options.decimate.get())?;
     Ok(loaded)
 }
 
@@ -137,7 +142,7 @@ fn read(
     progress: Progress,
     loaded: &mut Loaded,
 ) -> Result<(), CommandError> {
-    let (mut recording, missing) = recording(file, options, progress)?;
+    let (mut recording, missing) = recording(file, options, progress, &mut loaded.warnings)?;
     loaded.missing_inputs.push(missing);
     let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
     if windows.is_empty() {
@@ -181,29 +186,45 @@ fn recording<'a>(
     file: &'a Path,
     options: &LoadOptions,
     progress: Progress,
+    warnings: &mut Vec<LoadWarning>,
 ) -> Result<(Recording<'a>, Vec<Option<CommandError>>), CommandError> {
-    let opened = open(file, progress)?;
+    let opened = open(file, &options.reading, progress)?;
     let mut selected = options.selection.select(file, opened.format(), opened.headings())?;
     let missing = known_inputs::select(file, opened.headings(), options, &mut selected)?;
     let has_input: Vec<bool> = missing.iter().map(Option::is_none).collect();
-    let (table, times) = in_si(file, opened, &selected, &options.selection.time)?;
+    let (mut table, times) = in_si(file, opened, &mut selected, &options.selection)?;
     let inputs = has_input.iter().filter(|has| **has).count();
     let sensor_count = selected.sensors.len() - inputs;
-    let units = selected.sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
+    let units: Vec<_> =
+        selected.sensors.iter().take(sensor_count).map(|sensor| sensor.si).collect();
+    warnings.extend(notes::of_columns(file, &table, &selected, &options.selection));
+    if options.angles == Angles::Unwrapped {
+        warnings.extend(notes::unwrap(file, &mut table, &selected));
+    }
     Ok((Recording { file, table, times, units, has_input }, missing))
 }
 
-/// Reads the selected columns of a file: their numbers in SI, and their times.
+/// Reads the selected columns of a file: their numbers in SI, and their times. Columns that turn
+/// out to hold words are taken from the selection.
 pub(crate) fn in_si(
     file: &Path,
     opened: Box<dyn Opened>,
-    selected: &Selected,
-    time: &TimeSource,
+    selected: &mut Selected,
+    selection: &Selection,
 ) -> Result<(Table, Times), CommandError> {
-    let mut table = opened.read(selected.chosen())?;
-    let times = Times::take(file, &mut table, selected.time.map(|time| time.factor), time)?;
+    let mut table = opened.read(selected.chosen(selection))?;
+    let is_ignored = |index: usize| table.ignored.iter().any(|column| column.index == index);
+    selected.sensors.retain(|sensor| !is_ignored(sensor.index));
+    if let (true, Some(column)) = (selected.sensors.is_empty(), table.ignored.first()) {
+        let name = &table.headings[column.index].name;
+        let message = format!("{name:?} cannot be used: it {}", column.why);
+        return Err(CommandError::InFile { file: file.to_owned(), message });
+    }
+    let factor = selected.time.map(|time| time.factor);
+    let times = Times::take(file, &mut table, factor, &selection.time)?;
     for (values, sensor) in table.values.iter_mut().zip(&selected.sensors) {
         scale(values, sensor.factor);
+        shift(values, sensor.offset);
     }
     Ok((table, times))
 }
@@ -217,7 +238,38 @@ impl Recording<'_> {
         options: &LoadOptions,
         loaded: &mut Loaded,
     ) -> Result<(), CommandError> {
-        let even = self.times.sampling(self.file, &self.table, rows.clone())?;
+        if let Some(period_s) = options.resample_s
+            && !self.times.is_resampled()
+        {
+            let (table, times) =
+                resampling::of_table(self.file, &self.table, &self.times, rows, period_s)?;
+            let mut even = Recording {
+                file: self.file,
+                table,
+                times,
+                units: self.units.clone(),
+                has_input: self.has_input.clone(),
+            };
+            LoadWarning::add_once(
+                &mut loaded.warnings,
+                LoadWarning::Resampled { record: name.clone(), period_s },
+            );
+            let rows = 0..even.times.samples();
+            return even.records(name, rows, options, loaded);
+        }
+        let Steps { even, clock, is_assumed } =
+            self.times.sampling(self.file, &self.table, rows.clone())?;
+        if is_assumed {
+            let (record, period_s) = (name.clone(), even.period_s);
+            LoadWarning::add_once(
+                &mut loaded.warnings,
+                LoadWarning::Clock { record, period_s, clock },
+            );
+        }
+        if let Some(text) = self.times.unit_note(even.period_s) {
+            let file = self.file.to_owned();
+            LoadWarning::add_once(&mut loaded.warnings, LoadWarning::ClockUnit { file, text });
+        }
         let channels: Vec<&[f64]> = self.table.values.iter().map(Vec::as_slice).collect();
         let mut stretches = segments(rows.clone(), &even.after_gaps, &channels);
         let is_whole = stretches.as_slice() == std::slice::from_ref(&rows);
@@ -228,7 +280,7 @@ impl Recording<'_> {
         let whole = loaded.sources.last().map_or(0, |last| last.whole + 1);
         for (index, stretch) in stretches.into_iter().enumerate() {
             let name = if is_one { name.clone() } else { format!("{name}#{}", index + 1) };
-            self.record((name, whole), stretch, even.period_s, options, loaded)?;
+            self.record((name, whole), stretch, (even.period_s, clock), options, loaded)?;
         }
         Ok(())
     }
@@ -263,7 +315,7 @@ impl Recording<'_> {
         &mut self,
         (name, whole): (String, usize),
         stretch: Range<usize>,
-        period_s: f64,
+        (period_s, clock): (f64, Clock),
         options: &LoadOptions,
         loaded: &mut Loaded,
     ) -> Result<(), CommandError> {
@@ -312,6 +364,7 @@ impl Recording<'_> {
             span_s: [self.times.at(first), self.times.at(last)],
             units: self.units.clone(),
             whole,
+            clock,
         });
         Ok(())
     }

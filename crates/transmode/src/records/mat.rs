@@ -1,6 +1,7 @@
 //! MATLAB files of level 5 (`save -v7` and `-v6`): the numeric vectors and matrices in them are channels.
 //!
-//! A vector is a channel, called like the variable; a matrix `x` of samples x channels has the channels `x_1`, `x_2` and so on. Single numbers
+//! A vector is a channel, called like the variable; a matrix `x` of samples x channels has the channels `x_1`, `x_2` and so on, and so has one
+//! of channels x samples, if it is much wider than high. Fields of structures are variables called `log.imu.p`, without what is common to all. Single numbers
 //! and whatever is no numeric array are passed over unless they are asked for.
 //!
 //! The format is read here, in two small files. The crates for it: matfile 0.5.0 (October 2024) panics on a damaged size, prints to standard output,
@@ -9,6 +10,7 @@
 //! Format: The MathWorks, "MAT-File Format", level 5.
 
 mod element;
+mod structure;
 
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -18,7 +20,9 @@ use flate2::read::ZlibDecoder;
 use super::binary::ByteOrder;
 use super::format::Format;
 use super::format_error::FormatError;
-use super::table::{Chosen, Heading, Opened, Places, Table};
+use super::paths;
+use super::segments::SHORTEST;
+use super::table::{Chosen, Heading, Opened, Table};
 use crate::CommandError;
 use crate::error::in_file;
 use element::{MatError, Tag, Variable};
@@ -36,6 +40,8 @@ const MOST_COLUMNS: u64 = 10_000;
 /// A variable and where its element starts.
 struct Place {
     at: u64,
+    /// Which of the variables in that element it is, if it is a structure.
+    ordinal: usize,
     variable: Variable,
 }
 
@@ -55,22 +61,56 @@ pub(crate) fn open<R: Read + Seek>(
     file: &Path,
     mut source: R,
     length: u64,
+    variable: Option<&str>,
 ) -> Result<OpenedMat<R>, CommandError> {
     let fault = |at, error| in_words(file, at, error);
     let byte_order = byte_order(&mut source).map_err(|error| fault(0, error))?;
     let mut places: Vec<Place> = Vec::new();
     let mut at = HEADER;
     while at < length {
-        let mut each = |element: &mut dyn Read| Variable::read(element, byte_order);
-        let (variable, next) =
+        let mut found = Vec::new();
+        let mut each = |element: &mut dyn Read| {
+            structure::walk(element, byte_order, &mut |variable, _| {
+                found.push(variable);
+                Ok(())
+            })
+        };
+        let (_, next) =
             visit(&mut source, byte_order, at, &mut each).map_err(|error| fault(at, error))?;
         if next > length {
             return Err(fault(at, MatError::Damaged("the file ends within a variable")));
         }
-        places.extend(variable.flatten().map(|variable| Place { at, variable }));
+        let place = |(ordinal, variable)| Place { at, ordinal, variable };
+        places.extend(found.into_iter().enumerate().map(place));
         at = next;
     }
-    let (headings, homes) = headings(&places);
+    let names: Vec<&str> = places.iter().map(|place| place.variable.name.as_str()).collect();
+    let names = paths::chosen(&names, variable);
+    if let (Some(variable), true) = (variable, names.iter().all(Option::is_none)) {
+        let all: Vec<&str> = places.iter().map(|place| place.variable.name.as_str()).collect();
+        return Err(in_file(file, &FormatError::no_variable(variable, &all)));
+    }
+    let mut is_in_structure: Vec<bool> =
+        places.iter().map(|place| place.variable.name.contains('.')).collect();
+    let mut next = names.iter();
+    is_in_structure.retain(|_| next.next().is_some_and(Option::is_some));
+    let mut at = 0;
+    places.retain(|_| {
+        at += 1;
+        names[at - 1].is_some()
+    });
+    for (place, name) in places.iter_mut().zip(names.into_iter().flatten()) {
+        place.variable.name = name;
+    }
+    let (mut headings, homes) = headings(&places);
+    if variable.is_none() {
+        // Beside plain vectors, structures and matrices of rows hold other things.
+        let is_plain = |(index, _): &(usize, usize)| {
+            !is_in_structure[*index] && !is_wide(&places[*index].variable)
+        };
+        let is_plain: Vec<bool> = homes.iter().map(is_plain).collect();
+        Heading::prefer(&mut headings, &is_plain);
+    }
     if headings.iter().all(|heading| heading.fault.is_some()) {
         return Err(in_file(file, &FormatError::NoNumbers { found: kinds(&places) }));
     }
@@ -100,19 +140,31 @@ impl<R: Read + Seek> Opened for OpenedMat<R> {
             if wanted.is_empty() {
                 continue;
             }
+            let is_wide = is_wide(&place.variable);
+            let rows = place.variable.shape().map_or(1, |[rows, _]| rows);
+            let rows = usize::try_from(rows).unwrap_or(usize::MAX);
+            let mut ordinal = 0;
             let mut each = |element: &mut dyn Read| {
-                let Some(variable) = Variable::read(element, byte_order)? else { return Ok(()) };
-                variable.numbers(element, byte_order, |column, number| {
-                    for (_, slot) in wanted.iter().filter(|(wanted, _)| *wanted == column) {
-                        values[*slot].push(number);
+                structure::walk(element, byte_order, &mut |variable, inside| {
+                    ordinal += 1;
+                    if ordinal != place.ordinal + 1 {
+                        return Ok(());
                     }
+                    let mut row = 0;
+                    variable.numbers(inside, byte_order, |column, number| {
+                        // MATLAB writes column after column; in a wide matrix those are samples.
+                        let channel = if is_wide { row } else { column };
+                        row = if row + 1 == rows { 0 } else { row + 1 };
+                        for (_, slot) in wanted.iter().filter(|(wanted, _)| *wanted == channel) {
+                            values[*slot].push(number);
+                        }
+                    })
                 })
             };
             visit(&mut source, byte_order, place.at, &mut each)
                 .map_err(|error| in_words(&file, place.at, error))?;
         }
-        let places = Places::Samples;
-        Table { format: Format::Mat, headings, chosen, values, places }.finite(&file)
+        Table::of_arrays(Format::Mat, headings, chosen, values).finite(&file)
     }
 }
 
@@ -161,11 +213,22 @@ fn visit<T>(
     Ok((found, next))
 }
 
+/// Whether a matrix is one of channels x samples: as wide as a record is long, and few rows high.
+fn is_wide(variable: &Variable) -> bool {
+    variable.shape().is_ok_and(|[rows, columns]| {
+        columns > rows && columns >= SHORTEST as u64 && rows <= MOST_COLUMNS
+    })
+}
+
 /// The channels, and for each its variable and its column there.
 fn headings(places: &[Place]) -> (Vec<Heading>, Vec<(usize, usize)>) {
     let (mut headings, mut homes) = (Vec::new(), Vec::new());
     for (index, Place { variable, .. }) in places.iter().enumerate() {
         match variable.shape() {
+            Ok(shape) if is_wide(variable) => {
+                name_columns(&mut headings, &variable.name, [shape[1], shape[0]]);
+                homes.extend((0..usize::try_from(shape[0]).unwrap_or(0)).map(|row| (index, row)));
+            }
             Ok([rows, columns]) if columns > rows || columns > MOST_COLUMNS => {
                 let fault = format!(
                     "the matrix has {rows} rows and {columns} columns; samples x channels are needed: transpose it"
@@ -173,19 +236,9 @@ fn headings(places: &[Place]) -> (Vec<Heading>, Vec<(usize, usize)>) {
                 headings.push(Heading { fault: Some(fault), ..Heading::named(&variable.name) });
                 homes.push((index, 0));
             }
-            Ok([rows, columns]) => {
-                for column in 0..columns {
-                    let name = if columns == 1 {
-                        variable.name.clone()
-                    } else {
-                        format!("{}_{}", variable.name, column + 1)
-                    };
-                    headings.push(Heading {
-                        samples: usize::try_from(rows).ok(),
-                        ..Heading::named(name)
-                    });
-                    homes.push((index, usize::try_from(column).unwrap_or(usize::MAX)));
-                }
+            Ok(shape) => {
+                name_columns(&mut headings, &variable.name, shape);
+                homes.extend((0..usize::try_from(shape[1]).unwrap_or(0)).map(|at| (index, at)));
             }
             Err(fault) => {
                 headings.push(Heading { fault: Some(fault), ..Heading::named(&variable.name) });
@@ -194,6 +247,15 @@ fn headings(places: &[Place]) -> (Vec<Heading>, Vec<(usize, usize)>) {
         }
     }
     (headings, homes)
+}
+
+/// Headings for the channels of one variable of so many samples and channels.
+fn name_columns(headings: &mut Vec<Heading>, name: &str, [samples, channels]: [u64; 2]) {
+    for channel in 1..=channels {
+        let name = if channels == 1 { name.to_owned() } else { format!("{name}_{channel}") };
+        let samples = usize::try_from(samples).ok();
+        headings.push(Heading { samples, ..Heading::named(name) });
+    }
 }
 
 /// What there is instead of numbers.

@@ -5,6 +5,7 @@
 //!
 //! Format: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", and `numpy.lib.format`, versions 1.0 to 3.0.
 
+mod fields;
 mod header;
 
 use std::io::{ErrorKind, Read, Seek};
@@ -14,10 +15,12 @@ use super::binary::{ByteOrder, Layout, Number, Placement, Width};
 use super::format::{Format, NPY_MAGIC};
 use super::format_error::FormatError;
 use super::progress::Bar;
-use super::table::{Chosen, Heading, Opened, Places, Table};
+use super::segments::SHORTEST;
+use super::table::{Chosen, Heading, Opened, Table};
 use crate::CommandError;
 use crate::error::in_file;
-use header::Header;
+use fields::Fields;
+use header::{Descr, Header};
 
 /// Three entries of a plain array take about a hundred bytes, padding included; numpy itself reads 10 000.
 const LONGEST_HEADER: u64 = 1 << 16;
@@ -57,23 +60,65 @@ impl NpyError {
 pub(crate) struct OpenedNpy<R> {
     file: PathBuf,
     source: R,
-    placement: Placement,
+    content: Content,
     headings: Vec<Heading>,
     bar: Bar,
 }
 
-/// Opens an array of samples x channels, which are called by their index, or of a single channel.
+/// Where the numbers of an array lie.
+#[derive(Clone, Debug)]
+pub(super) enum Content {
+    /// Floats of samples x channels, or the other way round.
+    Floats(Placement),
+    /// The fields of structures, one a sample; or whole numbers.
+    Fields(Fields),
+}
+
+impl Content {
+    pub(super) fn samples(&self) -> u64 {
+        match self {
+            Self::Floats(placement) => placement.samples(),
+            Self::Fields(fields) => fields.samples(),
+        }
+    }
+
+    /// What the file calls its channels: `None` for those without names.
+    pub(super) fn names(&self) -> Vec<Option<String>> {
+        match self {
+            Self::Floats(placement) => (0..placement.channels()).map(|_| None).collect(),
+            Self::Fields(fields) => fields.names(),
+        }
+    }
+
+    pub(super) fn read(
+        &self,
+        source: &mut (impl Read + Seek),
+        wanted: &[usize],
+        progress: impl FnMut(u64),
+    ) -> std::io::Result<Vec<Vec<f64>>> {
+        match self {
+            Self::Floats(placement) => placement.read(source, wanted, progress),
+            Self::Fields(fields) => fields.read(source, wanted, progress),
+        }
+    }
+}
+
+/// Opens an array of samples x channels, which are called by their index, or of a single channel. The fields of
+/// a structured array are channels by their names.
 pub(crate) fn open<R: Read + Seek>(
     file: &Path,
     mut source: R,
     length: u64,
     bar: Bar,
 ) -> Result<OpenedNpy<R>, CommandError> {
-    let placement = any_placement(&mut source, length).map_err(|error| error.of_file(file))?;
-    let samples = usize::try_from(placement.samples()).ok();
-    let heading = |index: u64| Heading { samples, ..Heading::named(index.to_string()) };
-    let headings = (0..placement.channels()).map(heading).collect();
-    Ok(OpenedNpy { file: file.to_owned(), source, placement, headings, bar })
+    let content = content(&mut source, length).map_err(|error| error.of_file(file))?;
+    let samples = usize::try_from(content.samples()).ok();
+    let heading = |(index, name): (usize, Option<String>)| match name {
+        Some(name) => Heading { samples, ..super::text::heading(&name) },
+        None => Heading { samples, ..Heading::named(index.to_string()) },
+    };
+    let headings = content.names().into_iter().enumerate().map(heading).collect();
+    Ok(OpenedNpy { file: file.to_owned(), source, content, headings, bar })
 }
 
 impl<R: Read + Seek> Opened for OpenedNpy<R> {
@@ -86,13 +131,12 @@ impl<R: Read + Seek> Opened for OpenedNpy<R> {
     }
 
     fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
-        let Self { file, mut source, placement, headings, bar } = *self;
+        let Self { file, mut source, content, headings, bar } = *self;
         let chosen = chosen.channels;
-        let values = placement
+        let values = content
             .read(&mut source, &chosen, |bytes| bar.advance(bytes))
             .map_err(|source| CommandError::Read { file: file.clone(), source })?;
-        let places = Places::Samples;
-        Table { format: Format::Npy, headings, chosen, values, places }.finite(&file)
+        Table::of_arrays(Format::Npy, headings, chosen, values).finite(&file)
     }
 }
 
@@ -101,13 +145,28 @@ pub(crate) fn placement(source: &mut impl Read, length: u64) -> Result<Placement
     header(source, length)?.placement()
 }
 
-/// The same, and an array of one dimension is one channel.
-pub(super) fn any_placement(source: &mut impl Read, length: u64) -> Result<Placement, NpyError> {
+/// Where the channels of any array are that holds some: one of one dimension is one channel, one that is much wider than high is
+/// channels x samples, and structures have a channel for each field.
+pub(super) fn content(source: &mut impl Read, length: u64) -> Result<Content, NpyError> {
     let mut array = header(source, length)?;
     if array.shape.len() == 1 {
         array.shape.push(1);
     }
-    array.placement()
+    let is_float = matches!(&array.descr, Descr::Number(descr) if number(descr).is_ok());
+    if !is_float {
+        return Ok(Content::Fields(Fields::new(&array)?));
+    }
+    if let [rows, columns] = array.shape[..]
+        && columns > rows
+        && columns >= SHORTEST as u64
+    {
+        array.shape.reverse();
+        array.layout = match array.layout {
+            Layout::SampleBySample => Layout::ChannelByChannel,
+            Layout::ChannelByChannel => Layout::SampleBySample,
+        };
+    }
+    Ok(Content::Floats(array.placement()?))
 }
 
 /// What a header says.
@@ -115,16 +174,20 @@ struct Array {
     offset: u64,
     shape: Vec<u64>,
     layout: Layout,
-    number: Number,
+    descr: Descr,
     /// Bytes of the whole file.
     length: u64,
 }
 
 impl Array {
     fn placement(self) -> Result<Placement, NpyError> {
+        let number = match &self.descr {
+            Descr::Number(descr) => number(descr)?,
+            Descr::Structure(_) => return Err(FormatError::Structured.into()),
+        };
         let shape =
             <[u64; 2]>::try_from(self.shape).map_err(|found| FormatError::Dimensions { found })?;
-        Ok(Placement::new(self.offset, shape, self.layout, self.number, self.length)?)
+        Ok(Placement::new(self.offset, shape, self.layout, number, self.length)?)
     }
 }
 
@@ -164,8 +227,14 @@ fn header(source: &mut impl Read, length: u64) -> Result<Array, NpyError> {
     let text =
         String::from_utf8(text).map_err(|_| FormatError::BadHeader { what: "it is not text" })?;
     let header = Header::parse(&text)?;
-    let number = number(&header.descr)?;
-    Ok(Array { offset: start + size, shape: header.shape, layout: header.layout, number, length })
+    let Header { descr, layout, shape } = header;
+    // What is no number is refused first, whatever its shape.
+    if let Descr::Number(descr) = &descr
+        && fields::Kind::parse(descr).is_none()
+    {
+        return Err(number(descr).err().unwrap_or(FormatError::Structured).into());
+    }
+    Ok(Array { offset: start + size, shape, layout, descr, length })
 }
 
 fn number(descr: &str) -> Result<Number, FormatError> {

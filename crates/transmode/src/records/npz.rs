@@ -10,11 +10,10 @@ use std::path::{Path, PathBuf};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::binary::Placement;
 use super::format::Format;
 use super::format_error::FormatError;
-use super::npy::{self, NpyError};
-use super::table::{Chosen, Heading, Opened, Places, Table};
+use super::npy::{self, Content, NpyError};
+use super::table::{Chosen, Heading, Opened, Table};
 use crate::CommandError;
 use crate::error::in_file;
 
@@ -22,7 +21,7 @@ use crate::error::in_file;
 struct Member {
     index: usize,
     name: String,
-    placement: Result<Placement, FormatError>,
+    content: Result<Content, FormatError>,
 }
 
 /// An archive whose list of arrays has been read.
@@ -52,17 +51,21 @@ pub(crate) fn open<R: Read + Seek>(file: &Path, source: R) -> Result<OpenedNpz<R
     }
     let (mut headings, mut homes) = (Vec::new(), Vec::new());
     for (at, member) in members.iter().enumerate() {
-        match &member.placement {
-            Ok(placement) => {
-                let samples = usize::try_from(placement.samples()).ok();
-                for channel in 0..placement.channels() {
-                    let name = match placement.channels() {
-                        1 => member.name.clone(),
-                        _ if members.len() == 1 => channel.to_string(),
-                        _ => format!("{}_{channel}", member.name),
+        match &member.content {
+            Ok(content) => {
+                let samples = usize::try_from(content.samples()).ok();
+                let names = content.names();
+                let count = names.len();
+                for (channel, name) in names.into_iter().enumerate() {
+                    let name = match name {
+                        Some(field) if members.len() == 1 => field,
+                        Some(field) => format!("{}.{field}", member.name),
+                        None if count == 1 => member.name.clone(),
+                        None if members.len() == 1 => channel.to_string(),
+                        None => format!("{}_{channel}", member.name),
                     };
                     headings.push(Heading { samples, ..super::text::heading(&name) });
-                    homes.push((at, usize::try_from(channel).unwrap_or(usize::MAX)));
+                    homes.push((at, channel));
                 }
             }
             Err(error) => {
@@ -74,6 +77,10 @@ pub(crate) fn open<R: Read + Seek>(file: &Path, source: R) -> Result<OpenedNpz<R
             }
         }
     }
+    // Beside floats, arrays of other kinds are counters and flags.
+    let is_float = |at: usize| matches!(members[at].content, Ok(Content::Floats(_)));
+    let is_float: Vec<bool> = homes.iter().map(|(at, _)| is_float(*at)).collect();
+    Heading::prefer(&mut headings, &is_float);
     Ok(OpenedNpz { file: file.to_owned(), archive, members, headings, homes })
 }
 
@@ -98,21 +105,20 @@ impl<R: Read + Seek> Opened for OpenedNpz<R> {
                 .enumerate()
                 .filter(|(_, (home, _))| *home == at)
                 .collect();
-            let Ok(placement) = &member.placement else { continue };
+            let Ok(content) = &member.content else { continue };
             if wanted.is_empty() {
                 continue;
             }
             let bytes = unpacked(&mut archive, member.index).map_err(|error| fault(&error))?;
             let channels: Vec<_> = wanted.iter().map(|(_, (_, channel))| *channel).collect();
-            let read = placement.read(&mut Cursor::new(bytes), &channels, |_| ());
+            let read = content.read(&mut Cursor::new(bytes), &channels, |_| ());
             let read =
                 read.map_err(|error| fault(&FormatError::Archive { what: error.to_string() }))?;
             for ((slot, _), column) in wanted.iter().zip(read) {
                 values[*slot] = column;
             }
         }
-        let places = Places::Samples;
-        Table { format: Format::Npz, headings, chosen, values, places }.finite(&file)
+        Table::of_arrays(Format::Npz, headings, chosen, values).finite(&file)
     }
 }
 
@@ -124,14 +130,14 @@ fn members(archive: &mut ZipArchive<impl Read + Seek>) -> Result<Vec<Member>, Fo
         let name = entry.name().map(|name| name.into_owned()).map_err(|error| damaged(&error))?;
         let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else { continue };
         let length = entry.size();
-        let placement = match npy::any_placement(&mut entry, length) {
-            Ok(placement) => Ok(placement),
+        let content = match npy::content(&mut entry, length) {
+            Ok(content) => Ok(content),
             Err(NpyError::Format(error)) => Err(error),
             Err(NpyError::Read(error)) => {
                 return Err(FormatError::Archive { what: error.to_string() });
             }
         };
-        members.push(Member { index, name, placement });
+        members.push(Member { index, name, content });
     }
     Ok(members)
 }

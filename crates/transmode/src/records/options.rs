@@ -15,6 +15,31 @@ pub(crate) struct LoadOptions {
     pub(crate) decimate: NonZero<usize>,
     /// Columns that hold measured inputs, beside the sensors.
     pub(crate) known_inputs: Vec<String>,
+    /// How the files are written, where they do not say it.
+    pub(crate) reading: ReadOptions,
+    /// The period to which samples are interpolated, in seconds.
+    pub(crate) resample_s: Option<f64>,
+    pub(crate) angles: Angles,
+}
+
+/// How a file is written, where it does not say it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct ReadOptions {
+    /// The names of the columns of a text, in place of its header; as the file has it if empty.
+    pub(crate) columns: Vec<String>,
+    /// Lines of a text above everything that is read.
+    pub(crate) skip_lines: u64,
+    /// The variable of a file of arrays whose channels are read, `log.imu` say; all if absent.
+    pub(crate) variable: Option<String>,
+}
+
+/// What becomes of angles that jump by a turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Angles {
+    /// They go on beyond it.
+    #[default]
+    Unwrapped,
+    AsRead,
 }
 
 impl Default for LoadOptions {
@@ -25,6 +50,9 @@ impl Default for LoadOptions {
             windows: Vec::new(),
             decimate: NonZero::<usize>::MIN,
             known_inputs: Vec::new(),
+            reading: ReadOptions::default(),
+            resample_s: None,
+            angles: Angles::default(),
         }
     }
 }

@@ -16,7 +16,7 @@ use guarded::guarded;
 use super::format::Format;
 use super::format_error::FormatError;
 use super::progress::Bar;
-use super::table::{Chosen, Heading, Opened, Places, Table};
+use super::table::{Chosen, Heading, Opened, Table};
 use crate::CommandError;
 use crate::error::in_file;
 
@@ -75,8 +75,7 @@ impl Opened for OpenedParquet {
         if values.first().is_none_or(Vec::is_empty) {
             return Err(in_file(&file, &FormatError::Empty));
         }
-        let places = Places::Samples;
-        Table { format: Format::Parquet, headings, chosen, values, places }.finite(&file)
+        Table::of_arrays(Format::Parquet, headings, chosen, values).finite(&file)
     }
 }
 

@@ -101,6 +101,11 @@ pub(crate) fn sampling(time_s: &[f64]) -> Option<Sampling> {
     Some(Sampling::Even(Even { period_s, jitter, after_gaps }))
 }
 
+/// Whether a number of seconds can be a sample period.
+pub(crate) fn is_period(period_s: f64) -> bool {
+    PERIODS_S.contains(&period_s)
+}
+
 fn is_even(step: f64, usual: f64) -> bool {
     (step - usual).abs() <= LARGEST_JITTER * usual
 }
@@ -138,13 +143,19 @@ pub(crate) fn is_same_period(first_s: f64, second_s: f64) -> bool {
     (first_s - second_s).abs() <= TOLERANCE * second_s
 }
 
+/// Whether two periods differ by no more than the clocks of two loggers do.
+pub(crate) fn is_near_period(first_s: f64, second_s: f64) -> bool {
+    const TOLERANCE: f64 = 1e-3;
+    (first_s - second_s).abs() <= TOLERANCE * second_s
+}
+
 /// Refuses a sample period that is not that of `what`.
 pub(crate) fn check_same_period(found_s: f64, expected_s: f64, what: &str) -> Result<(), String> {
-    if is_same_period(found_s, expected_s) {
+    if is_near_period(found_s, expected_s) {
         Ok(())
     } else {
         Err(format!(
-            "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them"
+            "it is sampled every {found_s} s, {what} every {expected_s} s; resample one of them with --resample"
         ))
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::format::Format;
-use super::table::{Chosen, Heading};
+use super::table::{Chosen, Heading, Words};
 use super::unit::Unit;
 use crate::CommandError;
 use crate::error::{SelectionError, TimeError};
@@ -20,6 +20,8 @@ pub(crate) struct Selection {
     /// The sensors in the order wanted; all columns but time if empty.
     pub(crate) outputs: Vec<String>,
     pub(crate) time: TimeSource,
+    /// Whether a column that cannot be used is passed over, where it would be refused otherwise.
+    pub(crate) lenient: bool,
 }
 
 /// Where the times of the samples come from.
@@ -48,19 +50,30 @@ pub(crate) struct Selected {
 pub(crate) struct Wanted {
     pub(crate) index: usize,
     pub(crate) factor: f64,
+    /// Added behind that, in the unit after conversion.
+    pub(crate) offset: f64,
     /// The unit after conversion, where the file states one.
     pub(crate) si: Option<&'static str>,
 }
 
 impl Selected {
     /// The channels to read: the sensors, then time.
-    pub(crate) fn chosen(&self) -> Chosen {
+    pub(crate) fn chosen(&self, selection: &Selection) -> Chosen {
         let channels = self.sensors.iter().chain(&self.time).map(|wanted| wanted.index).collect();
-        Chosen { channels, with_time: self.time.is_some() }
+        Chosen { channels, with_time: self.time.is_some(), words: selection.words() }
     }
 }
 
 impl Selection {
+    /// What becomes of columns of words: those that nobody asked for are ignored.
+    fn words(&self) -> Words {
+        match (self.lenient, self.outputs.is_empty()) {
+            (true, _) => Words::Ignored,
+            (false, true) => Words::ColumnsIgnored,
+            (false, false) => Words::Refused,
+        }
+    }
+
     /// Refuses an outputs list that no file could satisfy.
     pub(crate) fn check(&self) -> Result<(), CommandError> {
         for (index, column) in self.outputs.iter().enumerate() {
@@ -88,7 +101,11 @@ impl Selection {
     ) -> Result<Selected, CommandError> {
         let time = self.time(file, format, headings)?;
         let sensors = if self.outputs.is_empty() {
-            by_default(file, headings, time)?
+            let mut sensors = by_default(file, headings, time)?;
+            if self.lenient {
+                keep_usual_length(headings, time, &mut sensors);
+            }
+            sensors
         } else {
             let find = |name: &String| position(file, headings, name);
             self.outputs.iter().map(find).collect::<Result<Vec<_>, _>>()?
@@ -126,13 +143,13 @@ impl Selection {
         check_lengths(file, used())?;
         let time_unit = |index| {
             let factor = time_factor(file, &headings[index])?;
-            Ok::<_, CommandError>(Wanted { index, factor, si: Some("s") })
+            Ok::<_, CommandError>(Wanted { index, factor, offset: 0.0, si: Some("s") })
         };
         Ok(Selected {
             time: time.map(time_unit).transpose()?,
             sensors: sensors
                 .into_iter()
-                .map(|index| wanted(file, headings, index))
+                .map(|index| wanted(file, headings, index, self.lenient))
                 .collect::<Result<_, _>>()?,
         })
     }
@@ -146,13 +163,8 @@ impl Selection {
         let usual = || headings.iter().position(|heading| is_time(&heading.name));
         match &self.time {
             TimeSource::Column(name) => position(file, headings, name).map(Some),
-            TimeSource::Period(_) => match usual() {
-                Some(index) if !self.outputs.contains(&headings[index].name) => {
-                    let column = headings[index].name.clone();
-                    Err(SelectionError::TimeIsThere { file: file.to_owned(), column }.into())
-                }
-                _ => Ok(None),
-            },
+            // It takes the place of a column of time.
+            TimeSource::Period(_) => Ok(None),
             TimeSource::UsualOrUnknown if !format.is_text() => Ok(usual()),
             TimeSource::Usual | TimeSource::UsualOrUnknown => match usual() {
                 Some(index) => Ok(Some(index)),
@@ -181,7 +193,11 @@ fn by_default(
         // A single number beside arrays is a constant.
         let constant =
             heading.samples == Some(1) && headings.iter().any(|other| other.samples > Some(1));
-        Some(index) != time && !is_time(&heading.name) && !heading.name.is_empty() && !constant
+        Some(index) != time
+            && !is_time(&heading.name)
+            && !heading.name.is_empty()
+            && !constant
+            && !heading.by_name_only
     };
     let sensors: Vec<usize> = (0..headings.len()).filter(is_sensor).collect();
     let good: Vec<usize> =
@@ -215,24 +231,34 @@ pub(crate) fn position(
     })
 }
 
-/// A column with its unit.
+/// A column with its unit. One that is not known is kept, and its numbers are taken as they are;
+/// but not for a sensor by which modes get their names.
 pub(super) fn wanted(
     file: &Path,
     headings: &[Heading],
     index: usize,
+    lenient: bool,
 ) -> Result<Wanted, CommandError> {
-    let Unit { si, factor } = unit(file, &headings[index])?;
-    Ok(Wanted { index, factor, si: headings[index].unit.as_ref().map(|_| si) })
+    let heading = &headings[index];
+    let text = heading.unit.as_deref().unwrap_or_default();
+    match Unit::parse(text) {
+        Some(Unit { si, factor, offset }) => {
+            Ok(Wanted { index, factor, offset, si: heading.unit.as_ref().map(|_| si) })
+        }
+        None if lenient || !is_role(&heading.name) => {
+            Ok(Wanted { index, factor: 1.0, offset: 0.0, si: None })
+        }
+        None => {
+            let (column, unit) = (heading.name.clone(), text.to_owned());
+            let (file, known) = (file.to_owned(), Unit::known());
+            Err(SelectionError::UnknownUnit { file, column, unit, known }.into())
+        }
+    }
 }
 
-/// The unit that a heading states; that of a bare number where it states none.
-pub(crate) fn unit(file: &Path, heading: &Heading) -> Result<Unit, CommandError> {
-    let text = heading.unit.as_deref().unwrap_or_default();
-    Unit::parse(text).ok_or_else(|| {
-        let (column, unit) = (heading.name.clone(), text.to_owned());
-        SelectionError::UnknownUnit { file: file.to_owned(), column, unit, known: Unit::known() }
-            .into()
-    })
+/// Whether modes get their names by a channel that is called so.
+fn is_role(name: &str) -> bool {
+    ["beta", "p", "r", "phi"].contains(&name)
 }
 
 fn time_factor(file: &Path, heading: &Heading) -> Result<f64, CommandError> {
@@ -243,6 +269,15 @@ fn time_factor(file: &Path, heading: &Heading) -> Result<f64, CommandError> {
         let (column, unit) = (heading.name.clone(), text.to_owned());
         SelectionError::NotTime { file: file.to_owned(), column, unit }.into()
     })
+}
+
+/// Keeps the channels as long as time, or as most others are.
+fn keep_usual_length(headings: &[Heading], time: Option<usize>, sensors: &mut Vec<usize>) {
+    let length = |index: &usize| headings[*index].samples;
+    let votes = |samples: Option<usize>| sensors.iter().filter(|at| length(at) == samples).count();
+    let most = sensors.iter().map(length).max_by_key(|samples| votes(*samples)).flatten();
+    let usual = time.map_or(most, |time| headings[time].samples);
+    sensors.retain(|index| usual.is_none() || length(index) == usual);
 }
 
 fn check_lengths<'a>(

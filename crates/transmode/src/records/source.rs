@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::clock::Clock;
+
 /// The file of a record, and what of it the record is.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
@@ -13,4 +15,6 @@ pub(crate) struct Source {
     /// Index of the file, or of the window of one, among all of them: the stretches between the
     /// gaps of one have it in common.
     pub(crate) whole: usize,
+    /// Where its sample period comes from.
+    pub(crate) clock: Clock,
 }

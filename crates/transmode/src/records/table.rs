@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::CommandError;
 use crate::records::format::Format;
+use crate::records::selection::is_time;
 
 /// What a file says of one channel before its numbers are read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,6 +17,10 @@ pub(crate) struct Heading {
     pub(crate) samples: Option<usize>,
     /// Why its numbers cannot be read, where it is known in advance.
     pub(crate) fault: Option<String>,
+    /// Whether that is because it holds words.
+    pub(crate) is_words: bool,
+    /// Whether it is a channel only where it is asked for.
+    pub(crate) by_name_only: bool,
 }
 
 /// The channels that were chosen. All are equally long.
@@ -29,6 +34,19 @@ pub(crate) struct Table {
     /// `values[c][row]` of the chosen one `c`, in its own unit; NaN where nothing was recorded, never infinite.
     pub(crate) values: Vec<Vec<f64>>,
     pub(crate) places: Places,
+    /// Whether the times were written as a clock shows them.
+    pub(crate) with_clock: bool,
+    /// Columns that were wanted like all others, and turned out to hold no numbers.
+    pub(crate) ignored: Vec<Ignored>,
+}
+
+/// A column that is no channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Ignored {
+    /// Its index in the file.
+    pub(crate) index: usize,
+    /// What it holds.
+    pub(crate) why: String,
 }
 
 /// Which channels are read.
@@ -38,6 +56,20 @@ pub(crate) struct Chosen {
     pub(crate) channels: Vec<usize>,
     /// Whether the last of them is time, which a text may write as a clock shows it.
     pub(crate) with_time: bool,
+    /// What becomes of a column of words.
+    pub(crate) words: Words,
+}
+
+/// What becomes of words where numbers should be, time apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Words {
+    /// They are refused: each channel was asked for by name.
+    #[default]
+    Refused,
+    /// A column that has held no number yet is ignored.
+    ColumnsIgnored,
+    /// Any of them makes its column an ignored one.
+    Ignored,
 }
 
 /// A file of which the headings have been read, and no numbers yet.
@@ -75,11 +107,48 @@ impl Heading {
     pub(crate) fn named(name: impl Into<String>) -> Self {
         Self { name: name.into(), ..Self::default() }
     }
+
+    /// Where some of the preferred ones are channels, time apart, the others are only by name.
+    pub(crate) fn prefer(headings: &mut [Self], is_preferred: &[bool]) {
+        let is_channel = |heading: &Self| {
+            heading.fault.is_none() && heading.samples > Some(1) && !is_time(&heading.name)
+        };
+        let mut preferred = headings.iter().zip(is_preferred).filter(|(_, preferred)| **preferred);
+        if preferred.any(|(heading, _)| is_channel(heading)) {
+            for (heading, preferred) in headings.iter_mut().zip(is_preferred) {
+                heading.by_name_only |= !preferred;
+            }
+        }
+    }
 }
 
 impl Table {
+    /// The chosen channels of a file of arrays.
+    pub(crate) fn of_arrays(
+        format: Format,
+        headings: Vec<Heading>,
+        chosen: Vec<usize>,
+        values: Vec<Vec<f64>>,
+    ) -> Self {
+        let (places, ignored) = (Places::Samples, Vec::new());
+        Self { format, headings, chosen, values, places, with_clock: false, ignored }
+    }
+
     pub(crate) fn rows(&self) -> usize {
         self.values.first().map_or(0, Vec::len)
+    }
+
+    /// The same channels, with no sample yet.
+    pub(crate) fn without_values(&self) -> Self {
+        Self {
+            format: self.format,
+            headings: self.headings.clone(),
+            chosen: self.chosen.clone(),
+            values: Vec::new(),
+            places: Places::Samples,
+            with_clock: self.with_clock,
+            ignored: Vec::new(),
+        }
     }
 
     /// Refuses infinite numbers in an array.

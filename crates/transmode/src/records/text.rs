@@ -1,9 +1,12 @@
 //! Delimited text -> a table.
 //!
-//! A header line names the columns; fields are separated by commas, semicolons or tabs, whichever the header has most of. Where commas do
+//! The plain case: a header line names the columns; fields are separated by commas, semicolons or tabs, whichever the header has most of. Where commas do
 //! not separate, a decimal comma is read as well. Blank lines and lines that start with `#` or `%` are passed over; a comment right above
 //! rows of numbers is their header, as `numpy.savetxt` writes it. A row of units may stand below the header. The column of time may hold dates and times
 //! of day (`clock.rs`).
+//!
+//! Where the rows below that header do not go with it, the table is looked for (`layout.rs`). Columns of words are told from the first rows
+//! (`words.rs`).
 //!
 //! Memory: the numbers of the chosen columns, and the longest row. Everything else is forgotten line by line.
 
@@ -11,8 +14,10 @@ mod clock;
 mod columns;
 mod dialect;
 mod header;
+mod layout;
 mod lines;
 mod quotes;
+mod words;
 
 use std::collections::HashSet;
 use std::io::Read;
@@ -20,15 +25,20 @@ use std::path::{Path, PathBuf};
 
 use super::format::Format;
 use super::format_error::FormatError;
+use super::options::ReadOptions;
 use super::table::{Chosen, Heading, Opened, Places, Table};
 use crate::CommandError;
 use crate::error::{TableError, in_file};
-use columns::Columns;
+use columns::{Columns, Read as ReadColumns};
 pub(crate) use header::heading;
+use layout::Layout;
 use lines::{LONGEST_ROW, LineError, Lines, Row};
 
 /// More columns than this are refused: a recorder writes hundreds, a table that is the wrong way round has millions.
 const MOST_COLUMNS: usize = 10_000;
+
+/// What the text files of LabVIEW start with.
+const LABVIEW: &[u8] = b"LabVIEW Measurement";
 
 /// How much of a comment is kept in case it is a header.
 const LONGEST_COMMENT: usize = 1 << 16;
@@ -44,12 +54,100 @@ pub(crate) fn open<R: Read>(
     file: &Path,
     format: Format,
     source: R,
+    options: &ReadOptions,
 ) -> Result<OpenedText<R>, CommandError> {
-    let mut reader =
-        Reader { file: file.to_owned(), format, lines: Lines::new(source), separator: b',' };
+    let lines = Lines::new(source);
+    let mut reader = Reader { file: file.to_owned(), format, lines, separator: b',' };
     reader.check_start()?;
-    let top = reader.top()?;
+    let start = reader.lines.peek().map_err(LineError::Read);
+    let start = start.map_err(|error| translate(file, format, error))?.to_vec();
+    let is_whole = reader.lines.is_at_end();
+    let asked = options.skip_lines > 0 || !options.columns.is_empty();
+    let is_lvm = start.starts_with(LABVIEW);
+    let found = if !asked && !is_lvm && is_plain(file, &start, is_whole) {
+        None
+    } else {
+        layout::search(&start, is_whole, options.skip_lines)
+    };
+    let mut top = match found {
+        Some(layout) if asked || !layout.names.is_empty() => {
+            reader.below(layout, options, is_lvm)?
+        }
+        None if asked => return Err(TableError::Empty { file: file.to_owned() }.into()),
+        // No header was found, which the plain way says where that is what is wrong.
+        found => plain(&mut reader, found)?,
+    };
+    let rows = rows_below(&start, &top, reader.separator);
+    words::mark(&mut top.headings, &rows);
     Ok(OpenedText { reader, top })
+}
+
+/// Reads a header in the plain way. Where a table was found that no line names the columns of, that is what is wrong, and not what the plain
+/// way would say of the lines above it.
+fn plain<R: Read>(reader: &mut Reader<R>, found: Option<Layout>) -> Result<Top, CommandError> {
+    let top = reader.top();
+    let is_unnamed = match &top {
+        Err(error) => matches!(error, CommandError::Table(TableError::NoHeader { .. })),
+        Ok(top) => top.headings.len() == 1,
+    };
+    match found {
+        Some(Layout { first_row: line, fields, .. }) if is_unnamed && fields > 1 => {
+            Err(TableError::NoHeader { file: reader.file.clone(), line, fields }.into())
+        }
+        _ => top,
+    }
+}
+
+/// Whether the plain way reads the start of a text: the first rows below the header have as many fields, half of them numbers.
+fn is_plain(file: &Path, start: &[u8], is_whole: bool) -> bool {
+    let lines = Lines::new(start);
+    let mut reader = Reader { file: file.to_owned(), format: Format::Text, lines, separator: b',' };
+    reader.lines.skip_mark();
+    let top = match reader.top() {
+        Ok(top) => top,
+        // What is not closed is closed somewhere else than meant, wherever the table is.
+        Err(CommandError::Table(TableError::OpenQuote { .. })) => return true,
+        Err(_) => return false,
+    };
+    let names = top.headings.len();
+    let mut rows = rows_below(start, &top, reader.separator);
+    if !is_whole && rows.len() < words::LOOKED_AT {
+        // The last one is cut.
+        rows.pop();
+    }
+    let is_number = |text: &&String| {
+        text.is_empty() || dialect::is_value(text, reader.separator) || text.parse::<f64>().is_ok()
+    };
+    let is_row = |row: &Vec<String>| {
+        let numbers = row.iter().filter(is_number).count();
+        let is_single = names > 1 || !row.iter().any(|text| text.contains(char::is_whitespace));
+        // One field too many, which is empty, is a separator at the end of each row.
+        let is_long = row.len() == names + 1 && row.last().is_some_and(String::is_empty);
+        (row.len() == names || is_long) && is_single && 2 * numbers >= row.len()
+    };
+    // Without rows the plain way says what is wrong, whatever it is.
+    rows.iter().all(is_row)
+}
+
+/// The first rows below a header, as text, as far as they are in the start of the file.
+fn rows_below(start: &[u8], top: &Top, separator: u8) -> Vec<Vec<String>> {
+    let mut rows: Vec<Vec<String>> = top.first.iter().map(|(_, texts)| texts.clone()).collect();
+    let mut lines = Lines::new(start);
+    lines.skip_mark();
+    if lines.skip(top.lines).is_err() {
+        return rows;
+    }
+    lines.separated_by(separator);
+    while let Ok(Some(row)) = lines.next() {
+        if rows.len() >= words::LOOKED_AT {
+            break;
+        }
+        if is_nothing(row.bytes, separator) || dialect::is_comment(row.bytes) {
+            continue;
+        }
+        rows.extend(dialect::texts(row, separator));
+    }
+    rows
 }
 
 impl<R: Read> Opened for OpenedText<R> {
@@ -63,13 +161,14 @@ impl<R: Read> Opened for OpenedText<R> {
 
     fn read(self: Box<Self>, chosen: Chosen) -> Result<Table, CommandError> {
         let Self { reader: Reader { file, format, mut lines, separator }, top } = *self;
-        let Top { headings, first } = top;
+        let Top { headings, first, .. } = top;
         let mut columns = Columns::new(&headings, &chosen);
         if let Some((line, texts)) = &first {
+            let texts = &texts[..fields_of(texts, headings.len())];
             check_length(&file, separator, *line, texts.len(), headings.len())?;
             for (index, text) in texts.iter().enumerate() {
                 columns
-                    .push(index, text.as_bytes(), separator)
+                    .push(index, text.as_bytes(), separator, *line)
                     .map_err(|fault| fault.at(&file, *line))?;
             }
             columns.lines.push(*line);
@@ -78,8 +177,14 @@ impl<R: Read> Opened for OpenedText<R> {
             if is_nothing(row.bytes, separator) || dialect::is_comment(row.bytes) {
                 continue;
             }
-            let each = |index, field: &[u8]| columns.push(index, field, separator);
+            let mut ends_empty = false;
+            let each = |index, field: &[u8]| {
+                ends_empty = field.is_empty();
+                columns.push(index, field, separator, row.line)
+            };
             let count = match dialect::fields(row, separator, each) {
+                // A separator at the end of a row.
+                Ok(count) if ends_empty && count == headings.len() + 1 => count - 1,
                 Ok(count) => count,
                 // A row of another length is the graver fault.
                 Err(fault) => {
@@ -92,12 +197,13 @@ impl<R: Read> Opened for OpenedText<R> {
             check_length(&file, separator, row.line, count, headings.len())?;
             columns.lines.push(row.line);
         }
-        let Columns { values, lines, .. } = columns;
-        if values.first().is_none_or(Vec::is_empty) {
+        if columns.values.first().is_none_or(Vec::is_empty) {
             return Err(TableError::Empty { file }.into());
         }
+        let with_clock = columns.clock_is_read();
+        let ReadColumns { values, chosen, ignored, lines } = columns.finish(chosen.channels);
         let places = Places::Lines(lines);
-        Ok(Table { format, headings, chosen: chosen.channels, values, places })
+        Ok(Table { format, headings, chosen, values, places, with_clock, ignored })
     }
 }
 
@@ -114,6 +220,8 @@ struct Top {
     headings: Vec<Heading>,
     /// The first row of numbers, if it has been taken already.
     first: Option<(u64, Vec<String>)>,
+    /// Lines taken so far.
+    lines: u64,
 }
 
 impl<R: Read> Reader<R> {
@@ -164,13 +272,15 @@ impl<R: Read> Reader<R> {
             }) {
                 let above = comment.and_then(|comment| above(&comment, separator, names.len()));
                 let Some(above) = above else {
-                    return Err(TableError::NoHeader { file: self.file.clone() }.into());
+                    let (file, fields) = (self.file.clone(), names.len());
+                    return Err(TableError::NoHeader { file, line, fields }.into());
                 };
                 let headings = self.headings(line, &above)?;
-                return Ok(Top { headings, first: Some((line, names)) });
+                let lines = self.lines.taken();
+                return Ok(Top { headings, first: Some((line, names)), lines });
             }
             let headings = self.headings(line, &names)?;
-            return self.below(headings);
+            return self.units_below(headings);
         }
     }
 
@@ -187,7 +297,7 @@ impl<R: Read> Reader<R> {
         if names.iter().all(String::is_empty) {
             return Err(TableError::BlankHeader { file: file(), line }.into());
         }
-        let headings: Vec<Heading> = names.iter().map(|name| heading(name)).collect();
+        let headings = header::headings(names);
         let mut seen = HashSet::new();
         // Columns without a name, as a comma at the end of each line makes them, are no sensors.
         let mut named = headings.iter().filter(|heading| !heading.name.is_empty());
@@ -199,8 +309,43 @@ impl<R: Read> Reader<R> {
         Ok(headings)
     }
 
+    /// Goes on at a table that was found, with its names or those that were given.
+    fn below(
+        &mut self,
+        layout: Layout,
+        options: &ReadOptions,
+        is_lvm: bool,
+    ) -> Result<Top, CommandError> {
+        let Layout { separator, mut names, header_line, units, first_row, fields, .. } = layout;
+        let line = header_line.unwrap_or(first_row);
+        if !options.columns.is_empty() {
+            names.clone_from(&options.columns);
+            if names.len() != fields {
+                let (file, line, given) = (self.file.clone(), first_row, options.columns.len());
+                return Err(TableError::ColumnCount { file, line, found: fields, given }.into());
+            }
+        }
+        if names.is_empty() {
+            let (file, line) = (self.file.clone(), first_row);
+            return Err(TableError::NoHeader { file, line, fields }.into());
+        }
+        if is_lvm {
+            name_labview_columns(&mut names);
+        }
+        let mut headings = self.headings(line, &names)?;
+        let units = units.filter(|_| options.columns.is_empty());
+        for (heading, unit) in headings.iter_mut().zip(units.into_iter().flatten()) {
+            heading.unit = unit.or(heading.unit.take());
+        }
+        let skipped = self.lines.skip(first_row - 1);
+        skipped.map_err(|error| translate(&self.file, self.format, error))?;
+        self.separator = separator;
+        self.lines.separated_by(separator);
+        Ok(Top { headings, first: None, lines: first_row - 1 })
+    }
+
     /// The row below the header, which may hold units.
-    fn below(&mut self, mut headings: Vec<Heading>) -> Result<Top, CommandError> {
+    fn units_below(&mut self, mut headings: Vec<Heading>) -> Result<Top, CommandError> {
         while let Some(row) =
             self.lines.next().map_err(|error| translate(&self.file, self.format, error))?
         {
@@ -211,7 +356,8 @@ impl<R: Read> Reader<R> {
             let not_text = || TableError::NotText { file: self.file.clone(), line };
             let texts = dialect::texts(row, self.separator).ok_or_else(not_text)?;
             let Some(units) = header::units(&texts) else {
-                return Ok(Top { headings, first: Some((line, texts)) });
+                let lines = self.lines.taken();
+                return Ok(Top { headings, first: Some((line, texts)), lines });
             };
             check_length(&self.file, self.separator, line, units.len(), headings.len())?;
             for (heading, unit) in headings.iter_mut().zip(units) {
@@ -219,7 +365,8 @@ impl<R: Read> Reader<R> {
             }
             break;
         }
-        Ok(Top { headings, first: None })
+        let lines = self.lines.taken();
+        Ok(Top { headings, first: None, lines })
     }
 }
 
@@ -243,6 +390,23 @@ fn is_nothing(bytes: &[u8], separator: u8) -> bool {
     bytes.iter().all(|byte| *byte == separator || byte.is_ascii_whitespace())
 }
 
+/// The fields of a row that count: not the empty one behind a separator at its end.
+fn fields_of(texts: &[String], names: usize) -> usize {
+    let is_long = texts.len() == names + 1 && texts.last().is_some_and(String::is_empty);
+    if is_long { names } else { texts.len() }
+}
+
+/// LabVIEW calls time `X_Value`, once for each channel if it is asked to, and a last column `Comment`.
+fn name_labview_columns(names: &mut [String]) {
+    let mut times = names.iter_mut().filter(|name| name.as_str() == "X_Value");
+    if let Some(first) = times.next() {
+        "time".clone_into(first);
+    }
+    for (index, name) in times.enumerate() {
+        *name = format!("X_Value_{}", index + 2);
+    }
+}
+
 fn check_length(
     file: &Path,
     separator: u8,
@@ -260,7 +424,7 @@ fn check_length(
 fn translate(file: &Path, format: Format, error: LineError) -> CommandError {
     let file = file.to_owned();
     match error {
-        LineError::Read(source) if format == Format::GzippedText => {
+        LineError::Read(source) if matches!(format, Format::GzippedText | Format::ZstdText) => {
             TableError::Damaged { file, source }.into()
         }
         LineError::Read(source) => CommandError::Read { file, source },

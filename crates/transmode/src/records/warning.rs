@@ -1,8 +1,11 @@
 //! What there is to say of files that could be read.
 
 use std::fmt;
+use std::path::PathBuf;
 
+use super::clock::Clock;
 use super::segments::SHORTEST;
+use crate::numbers::rounded;
 
 /// One thing that was done to a file and that its owner may not expect.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,9 +54,75 @@ pub(crate) enum LoadWarning {
         /// Samples that one span takes.
         needed: usize,
     },
+    /// A period that is fitted to stamps which do not advance evenly by themselves.
+    Clock { record: String, period_s: f64, clock: Clock },
+    /// Records of two clocks, taken at one period.
+    ClocksDiffer { records: [String; 2], periods_s: [f64; 2], common_s: f64 },
+    /// A column of time that may be in another unit.
+    ClockUnit { file: PathBuf, text: String },
+    /// A column of time in whose place a sample period was given.
+    TimeUnused { file: PathBuf, column: String, period_s: f64 },
+    /// Samples that were interpolated to equal steps.
+    Resampled { record: String, period_s: f64 },
+    /// Columns of words.
+    ColumnsIgnored { file: PathBuf, columns: Vec<String> },
+    /// Columns in units that are not known, and these.
+    UnitUnknown { file: PathBuf, columns: Vec<(String, String)> },
+    /// Angles that jumped by a turn.
+    Unwrapped { file: PathBuf, columns: Vec<String> },
+    /// A sensor that is a multiple of another in all records.
+    CopyLeftOut { column: String, other: String, factor: f64 },
 }
 
 impl LoadWarning {
+    /// Adds a warning, unless one of its code speaks of the same file: of ninety windows of one
+    /// file the first stands for all.
+    pub(crate) fn add_once(warnings: &mut Vec<Self>, warning: Self) {
+        let is_same = |other: &Self| {
+            other.code() == warning.code() && other.file_name() == warning.file_name()
+        };
+        if !warnings.iter().any(is_same) {
+            warnings.push(warning);
+        }
+    }
+
+    /// The file that it speaks of, where that is one.
+    fn file_name(&self) -> Option<String> {
+        match self {
+            Self::Clock { record, .. }
+            | Self::Resampled { record, .. }
+            | Self::NoSpan { record, .. } => {
+                let whole = record.split_once('#').map_or(record.as_str(), |(whole, _)| whole);
+                // `file:start:end` of a window.
+                let is_edge = |edge: &str| edge.is_empty() || edge.parse::<f64>().is_ok();
+                let mut parts = whole.rsplitn(3, ':');
+                let (end, start, file) = (parts.next()?, parts.next(), parts.next());
+                Some(match (start, file) {
+                    (Some(start), Some(file)) if is_edge(start) && is_edge(end) => file.to_owned(),
+                    _ => whole.to_owned(),
+                })
+            }
+            Self::ClockUnit { file, .. } => Some(file.display().to_string()),
+            _ => None,
+        }
+    }
+
+    /// What its line begins with: what was assumed and does no harm is a note.
+    pub(crate) fn label(&self) -> &'static str {
+        match self {
+            Self::Clock { .. }
+            | Self::ClocksDiffer { .. }
+            | Self::ClockUnit { .. }
+            | Self::TimeUnused { .. }
+            | Self::Resampled { .. }
+            | Self::ColumnsIgnored { .. }
+            | Self::UnitUnknown { .. }
+            | Self::Unwrapped { .. }
+            | Self::CopyLeftOut { .. } => "note",
+            _ => "warning",
+        }
+    }
+
     /// A short name for other programs.
     pub(crate) fn code(&self) -> &'static str {
         match self {
@@ -66,6 +135,15 @@ impl LoadWarning {
             Self::InputMissing { .. } => "input-missing",
             Self::IdleInput { .. } => "idle-input",
             Self::NoSpan { .. } => "no-span",
+            Self::Clock { .. } => "clock",
+            Self::ClocksDiffer { .. } => "clocks-differ",
+            Self::ClockUnit { .. } => "clock-unit",
+            Self::TimeUnused { .. } => "time-unused",
+            Self::Resampled { .. } => "resampled",
+            Self::ColumnsIgnored { .. } => "columns-ignored",
+            Self::UnitUnknown { .. } => "unit-unknown",
+            Self::Unwrapped { .. } => "unwrapped",
+            Self::CopyLeftOut { .. } => "copy-left-out",
         }
     }
 }
@@ -104,6 +182,67 @@ impl fmt::Display for LoadWarning {
                 f,
                 "{record} was left out: its {samples} samples are too few for one span, which takes {needed}"
             ),
+            Self::Clock { record, period_s, clock } => {
+                write!(
+                    f,
+                    "{record}: sample period {} s, fitted to the time stamps",
+                    shown(*period_s)
+                )?;
+                if let Some(largest) = clock.largest_deviation_s {
+                    let part = 100.0 * largest / period_s;
+                    write!(
+                        f,
+                        "; the largest deviation is {} s ({} % of a period)",
+                        rounded(largest, 2),
+                        rounded(part, 2)
+                    )?;
+                }
+                write!(f, "; assumed: {clock}")
+            }
+            Self::ClocksDiffer { records: [first, second], periods_s: [short, long], common_s } => {
+                let part = rounded(long / short - 1.0, 2);
+                write!(
+                    f,
+                    "the clocks of {first} and {second} differ by a part of {part} (sample periods {} s and {} s); {} s is used for all records",
+                    shown(*short),
+                    shown(*long),
+                    shown(*common_s)
+                )
+            }
+            Self::ClockUnit { file, text } => write!(f, "{}: column {text}", file.display()),
+            Self::TimeUnused { file, column, period_s } => write!(
+                f,
+                "{}: column {column} is not used, since --sample-period {period_s} s takes its place",
+                file.display()
+            ),
+            Self::Resampled { record, period_s } => write!(
+                f,
+                "{record} was interpolated to a sample every {period_s} s; content beyond half that rate, or half that of its own samples, is lost"
+            ),
+            Self::ColumnsIgnored { file, columns } => {
+                write!(f, "{}: {} ignored, no numbers", file.display(), listed(columns))
+            }
+            Self::UnitUnknown { file, columns } => {
+                let columns: Vec<String> =
+                    columns.iter().map(|(name, unit)| format!("{name} [{unit}]")).collect();
+                let (noun, verb) =
+                    if columns.len() == 1 { ("unit", "is") } else { ("units", "are") };
+                write!(
+                    f,
+                    "{}: the {noun} of {} {verb} not known; the numbers are taken as they are",
+                    file.display(),
+                    listed(&columns)
+                )
+            }
+            Self::Unwrapped { file, columns } => write!(
+                f,
+                "{}: {} jumps by a turn and is taken to go on (--unwrap=false leaves it as it is)",
+                file.display(),
+                listed(columns)
+            ),
+            Self::CopyLeftOut { column, other, factor } => {
+                write!(f, "{column} is left out: it is {} times {other}", rounded(*factor, 4))
+            }
             Self::ShortStretches { record, count, samples } => {
                 let (noun, verb) =
                     if *count == 1 { ("stretch", "was") } else { ("stretches", "were") };
@@ -114,4 +253,19 @@ impl fmt::Display for LoadWarning {
             }
         }
     }
+}
+
+/// A period without digits that nobody needs.
+fn shown(period_s: f64) -> f64 {
+    rounded(period_s, 8)
+}
+
+/// Names for a message; hundreds would hide the rest.
+fn listed(names: &[String]) -> String {
+    const LISTED: usize = 8;
+    let mut text = names.iter().take(LISTED).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > LISTED {
+        text += &format!(" and {} more", names.len() - LISTED);
+    }
+    text
 }

@@ -34,7 +34,7 @@ pub(super) fn render(outcome: &MonitorOutcome) -> String {
         let _ = writeln!(text, "\n{}", record(reference, watched));
     }
     for warning in &outcome.warnings {
-        let _ = writeln!(text, "warning: {warning}");
+        let _ = writeln!(text, "{}: {warning}", warning.label());
     }
     if reference.fitted_to_itself {
         let _ = writeln!(

@@ -5,13 +5,14 @@ use reconstruct::Method;
 use report::{Block, format_significant};
 
 use crate::CommandError;
+use crate::identify::doubts;
 use crate::identify::outcome::Outcome;
 use crate::modes::IdentifiedMode;
 use crate::numbers::counted;
 
 pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::paragraph(sentences(input))];
-    let doubts = input.result.doubts.iter().map(ToString::to_string);
+    let doubts = doubts::said(input).into_iter().map(|doubt| doubt.text);
     let all = input.warnings.iter().map(ToString::to_string).chain(doubts);
     blocks.extend(all.map(|text| Block::warning(sentence(&text))));
     blocks.push(Block::code("sh", input.command));

@@ -63,11 +63,11 @@ impl Tag {
     }
 
     /// All bytes of a small element.
-    fn bytes(self, source: &mut dyn Read) -> Result<Vec<u8>, MatError> {
+    pub(super) fn bytes(self, source: &mut dyn Read, longest: u32) -> Result<Vec<u8>, MatError> {
         if let Some(short) = self.short {
             return Ok(short[..self.size as usize].to_vec());
         }
-        if self.size > LONGEST {
+        if self.size > longest {
             return Err(MatError::Damaged("a name or a shape is too long"));
         }
         let mut bytes = vec![0; self.size.next_multiple_of(8) as usize];
@@ -78,13 +78,15 @@ impl Tag {
 }
 
 impl Variable {
-    /// Reads the first parts of a matrix: flags, dimensions, name. `None` for one without them, as MATLAB writes for its own use.
+    /// Reads the first parts of a matrix: flags, dimensions, name. A field has no name of its own but a path. `None` for one without either, as
+    /// MATLAB writes for its own use.
     pub(super) fn read(
         source: &mut dyn Read,
         byte_order: ByteOrder,
+        path: Option<String>,
     ) -> Result<Option<Self>, MatError> {
         let flags = Tag::read(source, byte_order)?;
-        let bytes = flags.bytes(source)?;
+        let bytes = flags.bytes(source, LONGEST)?;
         let Some(first) = bytes.first_chunk::<4>().filter(|_| flags.kind == 6) else {
             return Err(MatError::Damaged("a variable does not start with its flags"));
         };
@@ -92,15 +94,15 @@ impl Variable {
         let class = flags & 0xff;
         // Objects have a layout of their own, without dimensions.
         if class == 17 {
-            let name = Tag::read(source, byte_order)?.bytes(source)?;
-            let name = String::from_utf8_lossy(&name).into_owned();
+            let name = Tag::read(source, byte_order)?.bytes(source, LONGEST)?;
+            let name = path.unwrap_or_else(|| String::from_utf8_lossy(&name).into_owned());
             return Ok(Some(Self { name, class, complex: false, dimensions: Vec::new() }));
         }
-        let bytes = Tag::read(source, byte_order)?.bytes(source)?;
+        let bytes = Tag::read(source, byte_order)?.bytes(source, LONGEST)?;
         let size = |bytes: &[u8; 4]| u64::from(byte_order.u32(*bytes));
         let dimensions = bytes.as_chunks::<4>().0.iter().map(size).collect();
-        let name = Tag::read(source, byte_order)?.bytes(source)?;
-        let name = String::from_utf8_lossy(&name).into_owned();
+        let name = Tag::read(source, byte_order)?.bytes(source, LONGEST)?;
+        let name = path.unwrap_or_else(|| String::from_utf8_lossy(&name).into_owned());
         if name.is_empty() {
             return Ok(None);
         }
@@ -125,6 +127,15 @@ impl Variable {
                 self.dimensions.len()
             )),
         }
+    }
+
+    pub(super) fn class(&self) -> u32 {
+        self.class
+    }
+
+    /// Number of its elements.
+    pub(super) fn elements(&self) -> u64 {
+        self.dimensions.iter().fold(1, |product, size| product.saturating_mul(*size))
     }
 
     /// What MATLAB calls its class.

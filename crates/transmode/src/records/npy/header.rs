@@ -3,10 +3,27 @@
 use crate::records::binary::Layout;
 use crate::records::format_error::FormatError;
 
+/// What one element of an array is.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Descr {
+    Number(String),
+    /// The fields of a structure, in their order.
+    Structure(Vec<Field>),
+}
+
+/// A field of a structure: `('p', '<f4')`, or `('xyz', '<f4', (3,))`.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Field {
+    pub(super) name: String,
+    pub(super) descr: String,
+    /// Numbers in it.
+    pub(super) count: u64,
+}
+
 /// The three entries.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Header {
-    pub(super) descr: String,
+    pub(super) descr: Descr,
     pub(super) layout: Layout,
     pub(super) shape: Vec<u64>,
 }
@@ -21,8 +38,10 @@ impl Header {
             let key = rest.quoted()?;
             rest.expect(':')?;
             let repeated = match key {
-                "descr" if rest.next_is('[') => return Err(FormatError::Structured),
-                "descr" => descr.replace(rest.quoted()?.to_owned()).is_some(),
+                "descr" if rest.next_is('[') => {
+                    descr.replace(Descr::Structure(rest.fields()?)).is_some()
+                }
+                "descr" => descr.replace(Descr::Number(rest.quoted()?.to_owned())).is_some(),
                 "fortran_order" => layout.replace(rest.layout()?).is_some(),
                 "shape" => shape.replace(rest.sizes()?).is_some(),
                 _ => return bad("an entry is neither descr nor fortran_order nor shape"),
@@ -95,6 +114,42 @@ impl<'a> Rest<'a> {
             }
         }
         bad("fortran_order is neither True nor False")
+    }
+
+    /// `[('t', '<f8'), ('xyz', '<f4', (3,))]`; a field with a title has a pair in place of its name.
+    fn fields(&mut self) -> Result<Vec<Field>, FormatError> {
+        let mut fields = Vec::new();
+        self.expect('[')?;
+        while !self.take(']') {
+            self.expect('(')?;
+            let name = if self.take('(') {
+                self.quoted()?;
+                self.expect(',')?;
+                let name = self.quoted()?;
+                self.expect(')')?;
+                name
+            } else {
+                self.quoted()?
+            };
+            self.expect(',')?;
+            if self.next_is('[') {
+                return Err(FormatError::Structured);
+            }
+            let descr = self.quoted()?.to_owned();
+            let mut count = 1_u64;
+            if self.take(',') && !self.next_is(')') {
+                for size in self.sizes()? {
+                    count = count.saturating_mul(size);
+                }
+            }
+            self.expect(')')?;
+            fields.push(Field { name: name.to_owned(), descr, count });
+            if !self.take(',') {
+                self.expect(']')?;
+                break;
+            }
+        }
+        Ok(fields)
     }
 
     fn sizes(&mut self) -> Result<Vec<u64>, FormatError> {

@@ -5,7 +5,8 @@ fn parse(text: &str, wanted: [&str; 2]) -> Result<Pair, String> {
     let file = folder.path().join("f.csv");
     std::fs::write(&file, text).unwrap();
     let folder = format!("{}/", folder.path().display());
-    load(&file, wanted, None, Progress::Shown)
+    let options = PairOptions { time: TimeSource::UsualOrUnknown, ..PairOptions::default() };
+    load(&file, wanted, &options, Progress::Shown)
         .map_err(|error| error.to_string().replace(&folder, ""))
 }
 

@@ -1,3 +1,4 @@
+use crate::records::options::ReadOptions;
 use std::sync::Arc;
 
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int32Type};
@@ -40,9 +41,9 @@ fn file(folder: &Path) -> PathBuf {
 
 /// The channels that `choose` wants of a file with so many.
 fn read(path: &Path, choose: impl Fn(usize) -> Vec<usize>) -> Result<Table, CommandError> {
-    let opened = crate::records::open::open(path, Progress::Hidden)?;
+    let opened = crate::records::open::open(path, &ReadOptions::default(), Progress::Hidden)?;
     let channels = choose(opened.headings().len());
-    opened.read(Chosen { channels, with_time: false })
+    opened.read(Chosen { channels, ..Chosen::default() })
 }
 
 fn first_three(channels: usize) -> Vec<usize> {

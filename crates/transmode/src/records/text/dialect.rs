@@ -10,9 +10,51 @@ use super::quotes::Quotes;
 /// What may separate fields. Where two are equally frequent in the header, the first one does.
 const SEPARATORS: [u8; 3] = [b'\t', b';', b','];
 
+/// Stands for any run of blanks between fields.
+pub(super) const BLANK: u8 = b' ';
+
+/// What a text has in place of a number that is missing, in lower case.
+const NOT_AVAILABLE: [&str; 21] = [
+    "na",
+    "n/a",
+    "#n/a",
+    "null",
+    "none",
+    "nil",
+    "missing",
+    "-",
+    "--",
+    "---",
+    "?",
+    ".",
+    "nan(ind)",
+    "-nan(ind)",
+    "nan(snan)",
+    "-nan(snan)",
+    "1.#qnan",
+    "-1.#qnan",
+    "1.#ind",
+    "-1.#ind",
+    "1.#snan",
+];
+
+/// What spreadsheets write for a cell that has no value, in lower case.
+const CELL_ERRORS: [&str; 5] = ["#value!", "#div/0!", "#num!", "#ref!", "#null!"];
+
 /// Whether a line holds neither names nor numbers.
 pub(super) fn is_comment(bytes: &[u8]) -> bool {
     matches!(bytes.trim_ascii_start().first(), Some(b'#' | b'%'))
+}
+
+/// The separator that a line names, as spreadsheets write it: `sep=;`.
+pub(super) fn named_separator(line: &[u8]) -> Option<u8> {
+    let line = line.strip_prefix("\u{feff}".as_bytes()).unwrap_or(line).trim_ascii_start();
+    let line = line.strip_prefix(b"\"").unwrap_or(line);
+    let (word, rest) = line.split_at_checked(4)?;
+    let [separator, rest @ ..] = rest else { return None };
+    let is_end = rest.trim_ascii().is_empty() || rest.trim_ascii() == b"\"";
+    let is_separator = matches!(separator, b'\t' | b';' | b',' | b' ');
+    (word.eq_ignore_ascii_case(b"sep=") && is_end && is_separator).then_some(*separator)
 }
 
 /// What separates the fields of a header: the most frequent candidate outside quotes.
@@ -39,6 +81,13 @@ pub(super) fn fields<E>(
     if row.quoted {
         return quoted_fields(row.bytes, separator, each);
     }
+    if separator == BLANK {
+        let fields = row.bytes.split(u8::is_ascii_whitespace).filter(|field| !field.is_empty());
+        return fields.enumerate().try_fold(0, |_, (index, field)| {
+            each(index, field)?;
+            Ok(index + 1)
+        });
+    }
     let (mut rest, mut index) = (row.bytes, 0);
     loop {
         let end = memchr(separator, rest);
@@ -64,10 +113,12 @@ fn quoted_fields<E>(
     let mut record = csv::ByteRecord::new();
     // Memory can neither fail to be read nor hold rows of different lengths where there is one.
     let _ = reader.read_byte_record(&mut record);
-    for (index, field) in record.iter().enumerate() {
+    // Several blanks separate as one does.
+    let fields = record.iter().filter(|field| separator != BLANK || !field.is_empty());
+    fields.enumerate().try_fold(0, |_, (index, field)| {
         each(index, field.trim_ascii())?;
-    }
-    Ok(record.len())
+        Ok(index + 1)
+    })
 }
 
 /// All fields of a row as text; `None` if one of them is not UTF-8.
@@ -83,7 +134,7 @@ pub(super) fn texts(row: Row<'_>, separator: u8) -> Option<Vec<String>> {
 /// A number as it is written, its decimal mark a point or, where commas do not separate fields, a comma.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Number {
-    /// NaN for an empty field and for `NaN`; may be infinite.
+    /// NaN for an empty field, for `NaN` and for other words that say so; may be infinite.
     pub(super) value: f64,
     pub(super) mark: Option<u8>,
 }
@@ -102,7 +153,21 @@ pub(super) fn number(field: &[u8], separator: u8) -> Option<Number> {
         }
         text = Cow::Owned(text.replace(',', "."));
     }
-    text.parse().ok().map(|value| Number { value, mark })
+    match text.parse() {
+        Ok(value) => Some(Number { value, mark }),
+        Err(_) => is_not_available(field).then_some(Number { value: f64::NAN, mark: None }),
+    }
+}
+
+/// Whether a field says that there is no number.
+fn is_not_available(field: &[u8]) -> bool {
+    let is = |word: &&str| field.eq_ignore_ascii_case(word.as_bytes());
+    NOT_AVAILABLE.iter().chain(&CELL_ERRORS).any(is)
+}
+
+/// Whether a text is a number or what a clock shows.
+pub(super) fn is_value(text: &str, separator: u8) -> bool {
+    number(text.as_bytes(), separator).is_some() || super::clock::is_time(text)
 }
 
 #[cfg(test)]

@@ -17,6 +17,31 @@ pub(crate) fn heading(text: &str) -> Heading {
     Heading::named(text)
 }
 
+/// The headings of all columns. What is in brackets is an index and part of the name where it is a
+/// number, as in `xyz[0]` and `gyroADC(1)`: but for `[1]`, which may be the unit of a ratio, unless a
+/// column beside it has the same name without it.
+pub(super) fn headings(names: &[String]) -> Vec<Heading> {
+    let mut found: Vec<Heading> = names.iter().map(|name| heading(name)).collect();
+    let bases: Vec<String> = found.iter().map(|heading| heading.name.clone()).collect();
+    for (index, heading) in found.iter_mut().enumerate() {
+        let Some(unit) = heading.unit.as_deref().filter(|unit| is_index(unit)) else { continue };
+        let is_shared = || {
+            let mut others = bases.iter().enumerate().filter(|(other, _)| *other != index);
+            others.any(|(_, base)| *base == bases[index])
+        };
+        if unit != "1" || is_shared() {
+            *heading = Heading::named(names[index].trim());
+        }
+    }
+    found
+}
+
+/// Whether brackets hold an index, or several.
+fn is_index(text: &str) -> bool {
+    text.bytes().any(|byte| byte.is_ascii_digit())
+        && text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b',' | b':' | b' '))
+}
+
 /// The units that a row below the header holds, if that is what it is: no field of it is a number, and one at least is a unit.
 ///
 /// An empty field says nothing; one that is no unit is kept, and refused where its channel is used.

@@ -77,6 +77,27 @@ impl<R: Read> Lines<R> {
         self.quotes = Quotes::new(separator);
     }
 
+    /// Passes over so many lines, whatever quotes they hold.
+    pub(super) fn skip(&mut self, count: u64) -> Result<(), LineError> {
+        for _ in 0..count {
+            let line = self.lines + 1;
+            let Some([_, whole]) = self.line(0, line, Quotes::default())? else { break };
+            self.lines += 1;
+            self.start += whole;
+        }
+        Ok(())
+    }
+
+    /// Lines given out or passed over.
+    pub(super) fn taken(&self) -> u64 {
+        self.lines
+    }
+
+    /// Whether what has been read is all there is.
+    pub(super) fn is_at_end(&self) -> bool {
+        self.at_end
+    }
+
     /// The next row; `None` at the end.
     pub(super) fn next(&mut self) -> Result<Option<Row<'_>>, LineError> {
         let line = self.lines + 1;

@@ -6,9 +6,9 @@ fn parse(text: &(impl AsRef<[u8]> + ?Sized)) -> Result<Table, CommandError> {
 
 /// Reads the columns that `choose` wants of a text with so many.
 fn read(text: &[u8], choose: impl Fn(usize) -> Vec<usize>) -> Result<Table, CommandError> {
-    let opened = open(Path::new("f.csv"), Format::Text, text)?;
+    let opened = open(Path::new("f.csv"), Format::Text, text, &ReadOptions::default())?;
     let channels = choose(opened.headings().len());
-    Box::new(opened).read(Chosen { channels, with_time: false })
+    Box::new(opened).read(Chosen { channels, ..Chosen::default() })
 }
 
 fn names(table: &Table) -> Vec<&str> {
@@ -41,7 +41,7 @@ fn says_what_is_wrong_and_where() {
         "f.csv, line 2: 3 fields, but the header names 2 columns; repair or remove the row",
     );
     check(
-        b"\n  , \ntime,beta\n0,1\n",
+        b"\n  , \n",
         "f.csv, line 2: the header should be here, but the line holds no name; remove it if the header is below",
     );
     for (text, line) in [
@@ -67,7 +67,7 @@ fn says_what_is_wrong_and_where() {
     check(b"t,t\n0,1\n", "f.csv: column \"t\" is there twice; rename one of them");
     check(
         b"0,1\n0.1,2\n",
-        "f.csv: the first line is a row of numbers; a header line that names the columns is needed",
+        "f.csv: the first line is a row of numbers, and no line above names its 2 columns; put a header line there, or name the columns with --columns",
     );
     for text in ["inf", "left", "1,5"] {
         let quoted = format!("time,beta\n0,1\n0.1,\"{text}\"\n");

@@ -7,7 +7,7 @@ fn parse(text: &str) -> Result<Header, String> {
 #[test]
 fn reads_what_numpy_writes() {
     let header = |descr: &str, layout, shape: &[u64]| {
-        Ok(Header { descr: descr.to_owned(), layout, shape: shape.to_vec() })
+        Ok(Header { descr: Descr::Number(descr.to_owned()), layout, shape: shape.to_vec() })
     };
     use Layout::{ChannelByChannel, SampleBySample};
     assert_eq!(
@@ -47,8 +47,24 @@ fn says_what_is_damaged() {
     check(&whole.replace("'<f8'", "8"), "a text in quotes is missing");
     check(&whole.replace("'<f8'", "'<f8"), "no dictionary");
     check("{'descr': '<f8", "a quote never ends");
-    check(&whole.replace("'<f8'", "[('a', '<f8'), ('b', '<f8')]"), "structured");
+    check(&whole.replace("'<f8'", "[('a', [('b', '<f8')])]"), "structured");
     check(&whole.replace("shape", "size"), "neither descr nor fortran_order nor shape");
     check(&whole.replace("}", ", 'descr': '<f4'}"), "there twice");
     check(&format!("{whole} {{"), "something follows");
+}
+
+#[test]
+fn fields_of_structures() {
+    let text = "{'descr': [('t', '<f8'), ('xyz', '<f4', (3,)), (('title', 'n'), '|u1')], 'fortran_order': False, 'shape': (7,)}";
+    let Ok(Header { descr: Descr::Structure(fields), .. }) = Header::parse(text) else {
+        panic!("no structure");
+    };
+    let found: Vec<_> =
+        fields.iter().map(|f| (f.name.as_str(), f.descr.as_str(), f.count)).collect();
+    assert_eq!(found, [("t", "<f8", 1), ("xyz", "<f4", 3), ("n", "|u1", 1)]);
+    for wrong in ["[('t',)]", "[('t', '<f8')", "[('a', [('b', '<f8')])]", "[(t, '<f8')]"] {
+        let text =
+            text.replace("[('t', '<f8'), ('xyz', '<f4', (3,)), (('title', 'n'), '|u1')]", wrong);
+        assert!(Header::parse(&text).is_err(), "{wrong}");
+    }
 }
