@@ -11,6 +11,7 @@ mod ours;
 mod paper;
 mod peak;
 mod peers;
+mod recorded;
 mod records;
 mod speed;
 mod stream;
@@ -39,7 +40,7 @@ pub(crate) struct Args {
     #[arg(long)]
     long: bool,
 
-    /// Only this group: speed, accuracy, growth, limit, paper or noise.
+    /// Only this group: speed, accuracy, growth, limit, paper, noise or recorded.
     #[arg(long, value_name = "ID")]
     only: Option<String>,
 
@@ -84,13 +85,14 @@ pub(crate) struct Group {
 type Measure = fn(&Bench) -> Result<Group, TaskError>;
 
 /// The groups in their order, and what `--only` calls them.
-const GROUPS: [(&str, Measure); 6] = [
+const GROUPS: [(&str, Measure); 7] = [
     ("speed", speed::measure),
     ("accuracy", accuracy::measure),
     ("growth", growth::measure),
     ("limit", limit::measure),
     ("paper", paper::measure),
     ("noise", noise::measure),
+    ("recorded", recorded::measure),
 ];
 
 pub(crate) fn run(root: &Path, args: &Args, out: &mut dyn Write) -> Result<(), TaskError> {

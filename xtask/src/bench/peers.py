@@ -4,8 +4,9 @@
     peers.py lstsq|gelsy|gram SAMPLES L R D RUNS INPUT OUTPUT
     peers.py ib01ad SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
     peers.py ib01md-blocks SAMPLES BLOCK_ROWS ALGORITHM RUNS CHANNEL..
+    peers.py regression|output-error RUNS FLIGHT
 
-INPUT, OUTPUT and CHANNEL are files of raw little-endian doubles. Only the solver is timed: the regressors are built before. The answer is
+INPUT, OUTPUT and CHANNEL are files of raw little-endian doubles, FLIGHT is a packed CSV of beta, p, r and surfaces. Only the solver is timed: the regressors are built before. The answer is
 {"seconds": [..], "theta": [..]} or {"unavailable": "why"}; the caller limits the threads by the environment.
 """
 
@@ -118,6 +119,87 @@ def judged(seconds, warning, info):
     return {"seconds": seconds, "warning": int(warning)}
 
 
+def flight(file):
+    """Sensors beta, p, r and surfaces of a record of a simulator; the mean taken out."""
+    import csv
+    import gzip
+
+    import numpy
+
+    with gzip.open(file, "rt") as source:
+        rows = list(csv.reader(source))
+    names, data = rows[0], numpy.array(rows[1:], dtype=float)
+    data -= data.mean(axis=0)
+    of = lambda wanted: data[:, [names.index(name) for name in wanted]]
+    return of(["beta", "p", "r"]), of(["d_aileron", "d_rudder"]), float(rows[2][0]) - float(rows[1][0])
+
+
+def roll_and_dutch_roll(discrete, period):
+    """The real eigenvalue with the largest |s|, and the pair with the largest |s|: real part, real and imaginary part."""
+    import numpy
+
+    s = numpy.log(numpy.linalg.eigvals(discrete) + 0j) / period
+    real = [value.real for value in s if abs(value.imag) < 1e-9]
+    pairs = [value for value in s if value.imag > 1e-9]
+    if not real or not pairs:
+        raise ValueError("no roll or no Dutch roll among the eigenvalues")
+    pair = max(pairs, key=abs)
+    return [min(real), pair.real, pair.imag]
+
+
+def regression(runs, file):
+    """Equation error: the next sample on states and inputs, with the bank angle from the roll rate."""
+    import numpy
+
+    y, u, period = flight(file)
+
+    def work():
+        bank = numpy.cumsum(y[:, 1]) * period
+        state = numpy.column_stack([y, bank - bank.mean()])
+        columns = numpy.column_stack([state[:-1], u[:-1]])
+        solution = numpy.linalg.lstsq(columns, state[1:], rcond=None)[0]
+        return roll_and_dutch_roll(solution[:4].T, period)
+
+    theta, seconds = timed(int(runs), work)
+    return {"seconds": seconds, "theta": theta}
+
+
+def output_error(runs, file):
+    """Output error in the time domain: the lateral equations, all derivatives and the initial state, by Levenberg-Marquardt."""
+    import numpy
+    import scipy.linalg
+    import scipy.optimize
+    import scipy.signal
+
+    y, u, period = flight(file)
+    scale = y.std(axis=0)
+
+    def discrete(theta):
+        a = numpy.zeros((4, 4))
+        a[0], a[1, :3], a[2, :3], a[3, 1], a[3, 2] = theta[:4], theta[4:7], theta[7:10], 1.0, theta[10]
+        b = numpy.zeros((4, 2))
+        b[:3] = theta[11:17].reshape(3, 2)
+        step = scipy.linalg.expm(numpy.block([[a, b], [numpy.zeros((2, 6))]]) * period)
+        return step[:4, :4], step[:4, 4:]
+
+    def residuals(theta):
+        a, b = discrete(theta)
+        system = scipy.signal.dlti(a, b, numpy.eye(3, 4), numpy.zeros((3, 2)), dt=period)
+        found = scipy.signal.dlsim(system, u, x0=theta[17:21])[1]
+        error = ((found - y) / scale).ravel()
+        return numpy.where(numpy.isfinite(error), error, 1e6).clip(-1e6, 1e6)
+
+    def work():
+        start = numpy.zeros(21)
+        start[:11] = [-0.2, 0.05, -1.0, 0.08, -10.0, -2.0, 0.5, 3.0, 0.0, -0.5, 0.05]
+        start[11:17] = [0.0, 0.0, 5.0, 0.5, 0.0, -2.0]
+        found = scipy.optimize.least_squares(residuals, start, method="lm", x_scale="jac", max_nfev=2000)
+        return roll_and_dutch_roll(discrete(found.x)[0], period)
+
+    theta, seconds = timed(int(runs), work)
+    return {"seconds": seconds, "theta": theta}
+
+
 def versions():
     found = {"Python": sys.version.split()[0]}
     for name in ["numpy", "scipy", "ctrlsys"]:
@@ -137,6 +219,7 @@ def versions():
 
 LEAST_SQUARES = {"lstsq": lstsq, "gelsy": gelsy, "gram": gram}
 SUBSPACE = {"ib01ad": ib01ad, "ib01md-blocks": ib01md_blocks}
+RECORDED = {"regression": regression, "output-error": output_error}
 
 
 def main(task, *arguments):
@@ -144,6 +227,8 @@ def main(task, *arguments):
         return versions()
     if task in SUBSPACE:
         return SUBSPACE[task](*arguments)
+    if task in RECORDED:
+        return RECORDED[task](*arguments)
     return least_squares(LEAST_SQUARES[task], *arguments)
 
 

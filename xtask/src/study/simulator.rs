@@ -3,7 +3,6 @@
 
 mod document;
 mod figures;
-mod flights;
 mod kind;
 mod one_run;
 mod summary;
@@ -16,7 +15,7 @@ use report::Document;
 use super::definition::{Runs, Seeds, Study};
 use super::sections::sections;
 use crate::TaskError;
-use flights::Truth;
+use crate::shared::simulator_flights::{self as flights, Truth};
 use kind::{Aircraft, Kind, Motion};
 use one_run::Outcome;
 use summary::Case;
@@ -36,7 +35,7 @@ impl Study for SimulatorStudy {
     type Outcome = Outcome;
 
     fn new() -> Result<Self, TaskError> {
-        let folder = crate::root().join("tests/data/simulator");
+        let folder = flights::folder();
         Ok(Self { truth: Truth::read(&folder)?, folder })
     }
 
@@ -57,8 +56,8 @@ impl Study for SimulatorStudy {
     }
 
     fn run(&self, kind: Kind, _seed: u64) -> Result<Outcome, TaskError> {
-        let flight = flights::read(&self.folder, kind)?;
-        let truth = self.truth.of(kind.aircraft)?.modes();
+        let flight = flights::read(&self.folder, kind.aircraft.name(), kind.motion.name())?;
+        let truth = self.truth.of(kind.aircraft.name())?.modes();
         Ok(one_run::run(flight, kind.recorded, &truth))
     }
 
@@ -72,10 +71,13 @@ impl Study for SimulatorStudy {
         let mut cases = Vec::new();
         for (kind, outcomes) in runs {
             let [outcome] = &outcomes[..] else { return Err(missing("not one run of each kind")) };
-            let sizes = self.truth.of(kind.aircraft)?.modes().list().map(Complex::norm);
+            let sizes = self.truth.of(kind.aircraft.name())?.modes().list().map(Complex::norm);
             cases.push((*kind, vec![Case { kind: *kind, outcome: outcome.clone(), sizes }]));
         }
         let sections = sections(&cases, Kind::title, |_, cases| cases[0].clone());
         document::compose(&sections, &self.truth, command)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,10 +4,10 @@
 use report::{Block, Column, Document, format_significant};
 
 use super::figures;
-use super::flights::Truth;
 use super::kind::{Aircraft, Motion};
 use super::summary::{Case, FAR, Summary, WRONG};
 use crate::TaskError;
+use crate::shared::simulator_flights::Truth;
 use crate::study::sections::{Section, dash, table};
 
 /// The whole document, of a section for each kind. `command` is what was typed.
@@ -55,7 +55,7 @@ fn aircraft(truth: &Truth) -> Result<Block, TaskError> {
     ];
     let mut rows = Vec::new();
     for aircraft in Aircraft::ALL {
-        let known = truth.of(aircraft)?;
+        let known = truth.of(aircraft.name())?;
         let modes = known.modes();
         let number = |value: f64| format_significant(value, 4);
         let (re, im) = (number(modes.dutch_roll.re), number(modes.dutch_roll.im));

@@ -5,8 +5,8 @@ use num_complex::Complex;
 use reconstruct::{FoundMode, Options, Reconstruction, reconstruct};
 use serde::{Deserialize, Serialize};
 
-use super::flights::Flight;
 use crate::shared::modes::TrueModes;
+use crate::shared::simulator_flights::Flight;
 
 /// What became of one flight: what was found, or why nothing was.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::shared::simulator_flights::read;
 use crate::study::definition::Study;
 use crate::study::simulator::SimulatorStudy;
 use crate::study::simulator::kind::{Aircraft, Kind, Motion};
@@ -40,8 +41,8 @@ fn a_flight_is_judged_against_its_own_truth() {
     let kept = serde_json::to_string(&own).unwrap();
     assert_eq!(serde_json::from_str::<Outcome>(&kept).unwrap(), own);
     // Beside another aircraft the same estimates are wrong.
-    let other = study.truth.of(Aircraft::Boeing737).unwrap().modes();
-    let flight = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
+    let other = study.truth.of("737").unwrap().modes();
+    let flight = read(&study.folder, kind.aircraft.name(), kind.motion.name()).unwrap();
     assert!(run(flight, false, &other).result.unwrap().modes[2].error > 0.5);
 }
 
@@ -49,8 +50,8 @@ fn a_flight_is_judged_against_its_own_truth() {
 fn a_refusal_is_kept() {
     let study = SimulatorStudy::new().unwrap();
     let kind = Kind { motion: Motion::Multistep, aircraft: Aircraft::Concorde, recorded: false };
-    let mut flight = crate::study::simulator::flights::read(&study.folder, kind).unwrap();
+    let mut flight = read(&study.folder, kind.aircraft.name(), kind.motion.name()).unwrap();
     flight.records.truncate(1);
-    let truth = study.truth.of(kind.aircraft).unwrap().modes();
+    let truth = study.truth.of(kind.aircraft.name()).unwrap().modes();
     assert!(!run(flight, false, &truth).result.unwrap_err().is_empty());
 }

@@ -1,9 +1,9 @@
-//! The records of a flight and the truth about its aircraft, as they are in the tree.
+//! Flights of aircraft in a simulator that nobody of the project wrote, and the truth about them, as they are in the tree.
 
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use flate2::read::GzDecoder;
 use lti::SamplePeriod;
@@ -12,9 +12,8 @@ use reconstruct::output_error::RecordedInputs;
 use reconstruct::{Channel, Record};
 use serde::Deserialize;
 
-use super::kind::{Aircraft, Kind, Motion};
+use super::modes::TrueModes;
 use crate::TaskError;
-use crate::shared::modes::TrueModes;
 
 const PART: &str = "tests/data/simulator";
 const SURFACES: [&str; 2] = ["aileron", "rudder"];
@@ -22,15 +21,15 @@ const SURFACES: [&str; 2] = ["aileron", "rudder"];
 const COLUMNS: [&str; 4] = ["time", "beta", "p", "r"];
 
 /// What is true of each aircraft, by name.
-pub(super) struct Truth(BTreeMap<String, TrueAircraft>);
+pub(crate) struct Truth(BTreeMap<String, TrueAircraft>);
 
 /// One aircraft in trim.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct TrueAircraft {
+pub(crate) struct TrueAircraft {
     /// What is special about it.
-    pub(super) about: String,
-    pub(super) altitude_m: f64,
-    pub(super) true_airspeed_m_s: f64,
+    pub(crate) about: String,
+    pub(crate) altitude_m: f64,
+    pub(crate) true_airspeed_m_s: f64,
     roll: f64,
     /// Real and imaginary part.
     dutch_roll: [f64; 2],
@@ -39,7 +38,7 @@ pub(super) struct TrueAircraft {
 
 impl TrueAircraft {
     /// The eigenvalues of the simulator, linearised in trim.
-    pub(super) fn modes(&self) -> TrueModes {
+    pub(crate) fn modes(&self) -> TrueModes {
         let [re, im] = self.dutch_roll;
         TrueModes {
             spiral: Complex::from(self.spiral),
@@ -51,28 +50,32 @@ impl TrueAircraft {
 
 impl Truth {
     /// The truth beside the records.
-    pub(super) fn read(folder: &Path) -> Result<Self, TaskError> {
+    pub(crate) fn read(folder: &Path) -> Result<Self, TaskError> {
         let file = folder.join("truth.json");
         let text = std::fs::read_to_string(&file).map_err(|source| TaskError::io(&file, source))?;
         serde_json::from_str(&text).map(Self).map_err(TaskError::computation(PART))
     }
 
-    pub(super) fn of(&self, aircraft: Aircraft) -> Result<&TrueAircraft, TaskError> {
-        let missing = || fault(format!("truth.json knows no {}", aircraft.name()));
-        self.0.get(aircraft.name()).ok_or_else(missing)
+    pub(crate) fn of(&self, aircraft: &str) -> Result<&TrueAircraft, TaskError> {
+        let missing = || fault(format!("truth.json knows no {aircraft}"));
+        self.0.get(aircraft).ok_or_else(missing)
     }
 }
 
 /// A flight: its records, and what the surfaces did in them as far as the files hold it.
-pub(super) struct Flight {
-    pub(super) records: Vec<Record>,
-    pub(super) inputs: RecordedInputs,
+pub(crate) struct Flight {
+    pub(crate) records: Vec<Record>,
+    pub(crate) inputs: RecordedInputs,
+}
+
+/// Where the flights are.
+pub(crate) fn folder() -> PathBuf {
+    crate::root().join(PART)
 }
 
 /// The records moved through aileron and rudder, or through both at once.
-pub(super) fn read(folder: &Path, kind: Kind) -> Result<Flight, TaskError> {
-    let (aircraft, motion) = (kind.aircraft.name(), kind.motion.name());
-    let names: Vec<(&str, String)> = if kind.motion == Motion::Both {
+pub(crate) fn read(folder: &Path, aircraft: &str, motion: &str) -> Result<Flight, TaskError> {
+    let names: Vec<(&str, String)> = if motion == "both" {
         vec![("both", format!("{aircraft}_both.csv.gz"))]
     } else {
         let name = |surface| (surface, format!("{aircraft}_{surface}_{motion}.csv.gz"));
