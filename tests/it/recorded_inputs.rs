@@ -141,6 +141,39 @@ fn the_page_shows_measured_and_simulated() {
 }
 
 #[test]
+fn a_model_that_was_written_simulates_another_flight() {
+    let folder = Folder::new();
+    let files = flight(&folder, "A4", "noise");
+    let (_, json) = identify(&files, &[]);
+    let model = folder.file("modes.json", json.to_string());
+    let other = flight(&folder, "A4", "both");
+    let out = folder.path("predicted");
+    let words = ["simulate", &model, "--inputs", &other[0], "-o", out.to_str().unwrap()];
+    let ran = transmode(&words);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let percent = |sensor: &str| -> f64 {
+        let line = ran.out.lines().find(|line| line.starts_with(&format!("{sensor}: "))).unwrap();
+        line.split_whitespace().nth(1).unwrap().parse().unwrap()
+    };
+    // As --validate says it of the same flight.
+    assert!(percent("p") > 95.0 && percent("r") > 85.0, "{}", ran.out);
+    let table = std::fs::read_to_string(out.join("simulated.csv")).unwrap();
+    let header = "time [s],beta,beta_simulated,p,p_simulated,r,r_simulated";
+    assert_eq!(table.lines().next().unwrap(), header);
+    assert_eq!(table.lines().count(), 2401);
+    // Nothing is replaced without being asked for.
+    assert_eq!(transmode(&words).exit, Exit::BadInput);
+
+    let without = folder.file("without.json", {
+        let mut json = json;
+        json["recorded_inputs"] = Value::Null;
+        json.to_string()
+    });
+    transmode(&["simulate", &without, "--inputs", &other[0]]).refused("has no model with inputs");
+    transmode(&["simulate", &other[0], "--inputs", &other[0]]).refused("this is no result of");
+}
+
+#[test]
 fn options_that_do_not_go_together() {
     let folder = Folder::new();
     let files = flight(&folder, "A4", "both");

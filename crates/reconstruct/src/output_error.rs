@@ -50,7 +50,7 @@ pub use doubt::Doubt;
 pub use fit::{Compared, Derivative, Fit, RecordFit};
 pub use identify::identify;
 pub use options::{Lag, Options, RecordedInputs, Structure};
-pub use simulation::{Simulation, simulate};
+pub use simulation::{InputModel, Simulation, simulate};
 
 #[cfg(test)]
 mod tests;

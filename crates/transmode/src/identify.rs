@@ -112,7 +112,8 @@ fn predictions(
         return Err(OptionError::Refused { option: "--validate", message }.into());
     };
     let inputs = RecordedInputs { names: options.inputs.names.clone(), signals };
-    let all = simulate(&records, &inputs, fit).map_err(|error| refusal::sentence(&error, None))?;
+    let all = simulate(&records, &inputs, &fit.into())
+        .map_err(|error| refusal::sentence(&error, None))?;
     let together = records.into_iter().zip(all);
     Ok(together.map(|(record, simulation)| Prediction { record, simulation }).collect())
 }

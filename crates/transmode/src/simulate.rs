@@ -4,6 +4,7 @@ mod aircraft_file;
 mod fault;
 mod flights;
 mod noise;
+mod recorded;
 mod sensor;
 mod table;
 mod truth;
@@ -23,6 +24,9 @@ const TRUTH: &str = "truth.json";
 
 /// Simulates the records and writes them, all or none.
 pub(crate) fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<Exit, CommandError> {
+    if let Some(flight) = &args.inputs {
+        return recorded::run(args, flight, out);
+    }
     let aircraft = aircraft_file::find(&args.aircraft)?;
     let simulator = Simulator::new(&aircraft, args)?;
     let names = simulator.names();

@@ -1,11 +1,59 @@
 //! What the model makes of recorded inputs in the time domain, beside what the sensors read: for plots, and for records that the fit has not seen.
 
+use lti::{Discrete, StateSpace};
 use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
 use super::options::RecordedInputs;
 use crate::error::option;
+use crate::likelihood::Estimate;
 use crate::{ReconstructError, Record};
+
+/// A system with inputs, and by how much its sensors and inputs are late.
+///
+/// # Example
+///
+/// ```
+/// use lti::{Discrete, SamplePeriod, StateSpace};
+/// use nalgebra::dmatrix;
+/// use reconstruct::output_error::{InputModel, RecordedInputs, simulate};
+/// use reconstruct::{Channel, Record};
+///
+/// let period = SamplePeriod::new(0.1)?;
+/// let system =
+///     StateSpace::<Discrete>::new(dmatrix![0.5], dmatrix![1.0], dmatrix![1.0], dmatrix![0.0], period)?;
+/// let model = InputModel { system, sensor_lags: vec![0.0], input_lags: vec![0.0], drift: false };
+/// // A step of the input, and a sensor that is offset.
+/// let y = vec![10.0, 11.0, 11.5, 11.75, 11.875];
+/// let record = Record::new("a", period, vec![Channel::new("y", y)])?;
+/// let inputs = RecordedInputs { names: vec!["u".to_owned()], signals: vec![vec![vec![1.0; 5]]] };
+/// let found = &simulate(&[record], &inputs, &model)?[0];
+/// assert!(found.fit[0] > 0.999_999);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct InputModel {
+    /// From the inputs to the sensors.
+    pub system: StateSpace<Discrete>,
+    /// The lag of each sensor in s.
+    pub sensor_lags: Vec<f64>,
+    /// The lag of each input in s.
+    pub input_lags: Vec<f64>,
+    /// Whether sensors drift by a constant rate.
+    pub drift: bool,
+}
+
+impl From<&Fit> for InputModel {
+    fn from(fit: &Fit) -> Self {
+        let values = |lags: &[Estimate]| lags.iter().map(|lag| lag.value).collect();
+        Self {
+            system: fit.model.clone(),
+            sensor_lags: values(&fit.sensor_lags),
+            input_lags: values(&fit.input_lags),
+            drift: fit.drift,
+        }
+    }
+}
 
 /// A record as the model has it.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,13 +71,16 @@ pub struct Simulation {
 ///
 /// # Errors
 ///
-/// [`ReconstructError::Option`] where sensors or inputs are not those of the fit.
+/// [`ReconstructError::Option`] where sensors, inputs or the sample period are not those of the model.
 pub fn simulate(
     records: &[Record],
     inputs: &RecordedInputs,
-    fit: &Fit,
+    model: &InputModel,
 ) -> Result<Vec<Simulation>, ReconstructError> {
-    let (sensors, count) = (fit.model.c().nrows(), fit.model.b().ncols());
+    let (sensors, count) = (model.system.c().nrows(), model.system.b().ncols());
+    if model.sensor_lags.len() != sensors || model.input_lags.len() != count {
+        return Err(option("lags", format!("{sensors} sensors and {count} inputs need one each")));
+    }
     if inputs.names.len() != count || inputs.signals.len() != records.len() {
         return Err(option("recorded inputs", format!("the model has {count} inputs")));
     }
@@ -43,35 +94,44 @@ pub fn simulate(
                 let message = format!("record {name:?} has {channels} sensors and {} inputs, the model {sensors} and {count}", signals.len());
                 return Err(option("recorded inputs", message));
             }
-            Ok(one(record, signals, fit))
+            let (own, other) = (record.period().seconds(), model.system.period().seconds());
+            if (own - other).abs() > SAME_PERIOD * other {
+                let name = record.name();
+                let message = format!("record {name:?} is sampled every {own} s, the model every {other} s");
+                return Err(option("recorded inputs", message));
+            }
+            Ok(one(record, signals, model))
         })
         .collect()
 }
 
-fn one(record: &Record, signals: &[Vec<f64>], fit: &Fit) -> Simulation {
+/// Periods that differ by a smaller part are the same.
+const SAME_PERIOD: f64 = 1e-3;
+
+fn one(record: &Record, signals: &[Vec<f64>], model: &InputModel) -> Simulation {
     let period = record.period().seconds();
-    let (n, m) = (fit.model.a().nrows(), fit.model.c().nrows());
+    let (n, m) = (model.system.a().nrows(), model.system.c().nrows());
     let samples = record.samples();
     let late: Vec<Vec<f64>> = signals
         .iter()
-        .zip(&fit.input_lags)
-        .map(|(signal, lag)| delayed(signal, lag.value / period))
+        .zip(&model.input_lags)
+        .map(|(signal, lag)| delayed(signal, lag / period))
         .collect();
     let input = |k: usize| DVector::from_fn(late.len(), |row, _| late[row][k]);
-    let forced = response(fit, DVector::zeros(n), samples, input);
+    let forced = response(model, DVector::zeros(n), samples, input);
     let turned = |response: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-        let lags = fit.sensor_lags.iter().map(|lag| lag.value / period);
+        let lags = model.sensor_lags.iter().map(|lag| lag / period);
         response.iter().zip(lags).map(|(sensor, lag)| delayed(sensor, lag)).collect()
     };
     let forced = turned(forced);
     let free: Vec<Vec<Vec<f64>>> = (0..n)
         .map(|state| {
             let start = DVector::from_fn(n, |i, _| if i == state { 1.0 } else { 0.0 });
-            turned(response(fit, start, samples, |_| DVector::zeros(late.len())))
+            turned(response(model, start, samples, |_| DVector::zeros(late.len())))
         })
         .collect();
     // Unknowns: the initial state, then an offset for each sensor, then a drift.
-    let own = if fit.drift { 2 } else { 1 };
+    let own = if model.drift { 2 } else { 1 };
     let unknowns = n + own * m;
     let (mut gram, mut right) = (DMatrix::zeros(unknowns, unknowns), DVector::zeros(unknowns));
     let column = |sensor: usize, k: usize| {
@@ -80,7 +140,7 @@ fn one(record: &Record, signals: &[Vec<f64>], fit: &Fit) -> Simulation {
             row[state] = free[sensor][k];
         }
         row[n + sensor] = 1.0;
-        if fit.drift {
+        if model.drift {
             row[n + m + sensor] = k as f64 / samples as f64 - 0.5;
         }
         row
@@ -114,19 +174,19 @@ fn one(record: &Record, signals: &[Vec<f64>], fit: &Fit) -> Simulation {
 
 /// What each sensor reads from a state on, under inputs.
 fn response(
-    fit: &Fit,
+    model: &InputModel,
     mut state: DVector<f64>,
     samples: usize,
     input: impl Fn(usize) -> DVector<f64>,
 ) -> Vec<Vec<f64>> {
-    let mut sensors = vec![Vec::with_capacity(samples); fit.model.c().nrows()];
+    let mut sensors = vec![Vec::with_capacity(samples); model.system.c().nrows()];
     for k in 0..samples {
         let u = input(k);
-        let read = fit.model.c() * &state + fit.model.d() * &u;
+        let read = model.system.c() * &state + model.system.d() * &u;
         for (sensor, value) in sensors.iter_mut().zip(read.iter()) {
             sensor.push(*value);
         }
-        state = fit.model.a() * state + fit.model.b() * u;
+        state = model.system.a() * state + model.system.b() * u;
     }
     sensors
 }

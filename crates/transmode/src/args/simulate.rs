@@ -15,9 +15,13 @@ use crate::simulate::{Noise, Sensor};
 #[derive(Debug, clap::Args)]
 #[command(after_help = SIMULATE_HELP)]
 pub(crate) struct SimulateArgs {
-    /// The aircraft: a name in the catalog, or a file (.toml, .json).
+    /// The aircraft: a name in the catalog, or a file (.toml, .json); with --inputs a result of identify --inputs .. --json.
     #[arg(value_name = "AIRCRAFT")]
     pub(crate) aircraft: String,
+
+    /// A flight with the sensors and inputs of the model: what its sensors would read under its inputs is written as simulated.csv, and how well that fits is said.
+    #[arg(long, value_name = "FLIGHT", conflicts_with_all = ["excitation", "surface", "amplitude", "duration", "sample_period", "outputs", "noise", "gust", "with_quiet", "seed"])]
+    pub(crate) inputs: Option<PathBuf>,
 
     /// What moves the surfaces.
     #[arg(long, value_enum, default_value_t = ExcitationKind::White)]
@@ -126,6 +130,7 @@ const SIMULATE_HELP: &str = "\
 Examples:
   transmode simulate paper -o flights
   transmode simulate paper --excitation multistep --gust 0.005 --with-quiet --noise snr=30 --seed 7 -o flights
+  transmode simulate modes.json --inputs flight.csv -o predicted
   transmode simulate trainer.toml --noise beta=0.001,p=0.002,r=0.001 --duration 300
 
 Exit codes: 0 all files are written; 2 none is, and a sentence says why.";

@@ -113,9 +113,9 @@ fn a_simulation_predicts_a_record_that_the_fit_has_not_seen() {
     let first = RecordedInputs { signals: inputs.signals[..1].to_vec(), ..inputs.clone() };
     let second = RecordedInputs { signals: inputs.signals[1..].to_vec(), ..inputs };
     let fit = identify(&records[..1], &first, &Options::default()).unwrap();
-    let predicted = &simulate(&records[1..], &second, &fit).unwrap()[0];
+    let predicted = &simulate(&records[1..], &second, &(&fit).into()).unwrap()[0];
     assert!(predicted.fit.iter().all(|part| *part > 0.9), "{:?}", predicted.fit);
-    let own = &simulate(&records[..1], &first, &fit).unwrap()[0];
+    let own = &simulate(&records[..1], &first, &(&fit).into()).unwrap()[0];
     assert_eq!(own.sensors.len(), 3);
     assert_eq!(own.sensors[0].len(), 1200);
 }

@@ -15,7 +15,7 @@ const COLUMNS: usize = 300;
 
 pub(super) fn blocks(input: &Outcome<'_>, fit: &Fit) -> Result<Vec<Block>, CommandError> {
     let fault = |error: reconstruct::ReconstructError| CommandError::Report(error.to_string());
-    let own = simulate(input.records, &input.options.inputs, fit).map_err(fault)?;
+    let own = simulate(input.records, &input.options.inputs, &fit.into()).map_err(fault)?;
     let seen = input.records.iter().zip(&own).enumerate().map(|(index, (record, simulation))| {
         (record, simulation, input.sources.get(index).map_or(0.0, |source| source.span_s[0]), "")
     });
