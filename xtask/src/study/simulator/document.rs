@@ -34,7 +34,11 @@ pub(super) fn compose(
     document.push(aircraft(truth)?);
     document.push(motions(sections)?);
     document.push(by_kind(sections)?);
-    document.push(figures::errors(sections));
+    for recorded in [false, true] {
+        if let Some(figure) = figures::errors(sections, recorded) {
+            document.push(figure);
+        }
+    }
     document.push(figures::honesty(sections));
     document.push(Block::section("Each flight"));
     for section in sections {

@@ -19,12 +19,23 @@ fn look(aircraft: Aircraft) -> (Ink, Marker) {
     }
 }
 
-/// Errors of each flight: a panel for each mode, a strip for each kind.
-pub(super) fn errors(sections: &[Section<Case>]) -> Figure {
+/// Errors of each flight without or with its inputs recorded: a panel for each mode, a strip for each kind. `None` where there is no such flight.
+pub(super) fn errors(sections: &[Section<Case>], recorded: bool) -> Option<Figure> {
+    let own = |section: &&Section<Case>| {
+        section.summaries.first().is_some_and(|case| case.kind.recorded == recorded)
+    };
+    let sections: Vec<&Section<Case>> = sections.iter().filter(own).collect();
+    if sections.is_empty() {
+        return None;
+    }
+    let (id, title) = if recorded {
+        ("study-simulator-recorded", "Error of each flight, inputs recorded")
+    } else {
+        ("study-simulator-errors", "Error of each flight")
+    };
     let caption = "Errors by kind of flight and aircraft, of roll and Dutch roll over |s|. Filled: nothing to doubt. Open: the result carries a doubt. \
-                   The line is at 10 %, above which a result counts as wrong. Here actlag10 is called lag, multistep 3-2-1-1, quantised 12 bits; a star stands for inputs that were recorded.";
-    let mut figure =
-        Figure::new("study-simulator-errors", "Error of each flight", caption).columns(1);
+                   The line is at 10 %, above which a result counts as wrong. Here actlag10 is called lag, multistep 3-2-1-1, quantised 12 bits.";
+    let mut figure = Figure::new(id, title, caption).columns(1);
     for (mode, label) in [(1, "error / |s|"), (2, "error / |s|"), (0, "error (1/s)")] {
         let all = sections.iter().flat_map(|section| &section.summaries);
         let errors: Vec<f64> =
@@ -46,7 +57,7 @@ pub(super) fn errors(sections: &[Section<Case>]) -> Figure {
         for (index, aircraft) in Aircraft::ALL.into_iter().enumerate() {
             let (ink, marker) = look(aircraft);
             for (fill, label) in [(Fill::Solid, aircraft.name()), (Fill::Open, "")] {
-                let points: Vec<_> = places(sections, index)
+                let points: Vec<_> = places(&sections, index)
                     .filter(|(_, case)| case.trusted() == (fill == Fill::Solid))
                     .map(|(x, case)| (x, case.errors()[mode]))
                     .filter(|(_, error)| error.is_finite())
@@ -57,15 +68,18 @@ pub(super) fn errors(sections: &[Section<Case>]) -> Figure {
         let headings = sections.iter().enumerate().filter_map(|(place, section)| {
             let first = section.summaries.first()?;
             // Notes are set to the right of their place.
-            Some((place as f64 + 0.46, top / 1.8, first.kind.short_title()))
+            Some((place as f64 + 0.46, top / 1.8, first.kind.motion.short_name()))
         });
         figure = figure.with(panel.with(Notes::new(headings)));
     }
-    figure
+    Some(figure)
 }
 
 /// The flights of an aircraft, each at its place: strip by strip, beside those of the others.
-fn places(sections: &[Section<Case>], aircraft: usize) -> impl Iterator<Item = (f64, &Case)> {
+fn places<'a>(
+    sections: &'a [&'a Section<Case>],
+    aircraft: usize,
+) -> impl Iterator<Item = (f64, &'a Case)> {
     let side = (aircraft as f64 - 2.5) * 0.13;
     sections.iter().enumerate().flat_map(move |(place, section)| {
         let own = move |case: &&Case| case.kind.aircraft == Aircraft::ALL[aircraft];

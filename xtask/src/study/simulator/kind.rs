@@ -73,7 +73,7 @@ impl Motion {
         }
     }
 
-    /// So short that fifteen stand side by side in a figure.
+    /// So short that nine stand side by side in a figure.
     pub(crate) fn short_name(self) -> &'static str {
         match self {
             Self::Actlag10 => "lag",
@@ -162,11 +162,5 @@ impl Kind {
             Motion::Turb2 => "turb2, inputs recorded",
             _ => "both, inputs recorded",
         }
-    }
-
-    /// So short that all stand side by side in a figure.
-    pub(crate) fn short_title(self) -> String {
-        let mark = if self.recorded { "*" } else { "" };
-        format!("{}{mark}", self.motion.short_name())
     }
 }
