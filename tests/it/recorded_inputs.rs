@@ -82,6 +82,31 @@ fn an_airframe_is_the_lateral_equations() {
 }
 
 #[test]
+fn derivatives_become_coefficients_where_the_size_is_known() {
+    let folder = Folder::new();
+    let description = "[geometry]\nwing_area_ft2 = 260.0\nspan_ft = 27.5\nmass_slug = 544.0\nair_density_slug_ft3 = 0.000738\n\
+                       true_airspeed_ft_s = 682.0\n[inertia]\nixx_slug_ft2 = 8090.0\nizz_slug_ft2 = 29200.0\nixz_slug_ft2 = 1300.0\n";
+    let file = folder.file("a4.toml", description);
+    let (ran, json) = identify(&flight(&folder, "A4", "both"), &["--aircraft", &file]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", json["warnings"]);
+    let of = |list: &str, name: &str| {
+        let all = json["recorded_inputs"][list].as_array().unwrap();
+        all.iter().find(|own| own["name"] == name).unwrap()["value"].as_f64().unwrap()
+    };
+    // C_n_beta = (Izz N - Ixz L) / (q S b).
+    let moment = 0.5 * 0.000738 * 682.0 * 682.0 * 260.0 * 27.5;
+    let expected =
+        (29200.0 * of("derivatives", "N_beta") - 1300.0 * of("derivatives", "L_beta")) / moment;
+    assert!((of("coefficients", "C_n_beta") / expected - 1.0).abs() < 1e-9);
+    assert!((0.1..0.5).contains(&of("coefficients", "C_n_beta")));
+    assert!(of("coefficients", "C_l_p") < 0.0 && of("coefficients", "C_l_d_aileron") > 0.0);
+    let bad = folder.file("bad.toml", description.replace("span_ft = 27.5", "span_ft = -1.0"));
+    let file = flight(&folder, "A4", "both").remove(0);
+    let words = ["identify", &file, "--outputs", "beta,p,r", "--inputs", "d_aileron,d_rudder"];
+    transmode(&[&words[..], &["--aircraft", &bad]].concat()).refused("span_ft is -1");
+}
+
+#[test]
 fn one_record_in_which_both_surfaces_move_is_enough() {
     let folder = Folder::new();
     let (ran, json) = identify(&flight(&folder, "A4", "both"), &[]);

@@ -100,7 +100,7 @@ fn finite(name: &'static str, value: f64) -> Result<(), AircraftError> {
     if value.is_finite() { Ok(()) } else { Err(AircraftError::NotFinite { name, value }) }
 }
 
-fn positive(name: &'static str, value: f64) -> Result<(), AircraftError> {
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), AircraftError> {
     finite(name, value)?;
     if value > 0.0 { Ok(()) } else { Err(AircraftError::NotPositive { name, value }) }
 }

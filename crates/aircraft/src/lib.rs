@@ -35,6 +35,7 @@
 mod agreement;
 mod assignment;
 pub mod catalog;
+mod coefficients;
 mod derivatives;
 mod error;
 mod flying_qualities;
@@ -43,6 +44,7 @@ mod mode_name;
 mod naming;
 mod shape;
 
+pub use coefficients::{By, Geometry, nondimensional};
 pub use derivatives::{Inertia, LateralDerivatives};
 pub use error::AircraftError;
 pub use flying_qualities::{

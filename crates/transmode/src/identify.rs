@@ -1,5 +1,6 @@
 //! `transmode identify`: records -> modes, on the terminal and as JSON.
 
+mod coefficients;
 mod config;
 mod doubts;
 mod input;
@@ -63,6 +64,10 @@ pub(crate) fn run(
     let found = modes::name(&result, &records[0])?;
     let predictions = predictions(held_out, &options, &result)?;
     let case = args.aircraft_class.zip(args.flight_phase);
+    let coefficients = match (&args.aircraft, result.output_error()) {
+        (Some(file), Some(fit)) => coefficients::coefficients(file, fit)?,
+        _ => Vec::new(),
+    };
     let outcome = Outcome {
         command: typed,
         method: args.method(),
@@ -74,6 +79,7 @@ pub(crate) fn run(
         flying_qualities: case.map(|(class, phase)| FlyingQualitiesCase { class, phase }),
         warnings: &warnings,
         predictions: &predictions,
+        coefficients: &coefficients,
     };
 
     let drawn = match &args.report {

@@ -87,6 +87,10 @@ pub(crate) struct IdentifyArgs {
     )]
     pub(crate) lag: Vec<LagAsked>,
 
+    /// A TOML or JSON file with the size, mass and inertia of the aircraft, tables geometry and inertia: derivatives are given in nondimensional form, too.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "inputs")]
+    pub(crate) aircraft: Option<PathBuf>,
+
     /// A record that the fit does not see, with the same columns: how well the model predicts it is said. May be given several times.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "inputs")]
     pub(crate) validate: Vec<PathBuf>,

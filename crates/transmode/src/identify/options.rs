@@ -24,7 +24,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
     use MethodName::{AsPrinted, Ml, Subspace};
     const BOTH: &[MethodName] = &[Ml, Subspace];
     let deviations = matches!(args.offsets, Some(OffsetsAsked::Deviations(_)));
-    let known: [(&'static str, bool, &[MethodName]); 19] = [
+    let known: [(&'static str, bool, &[MethodName]); 20] = [
         ("--order", args.order.is_some(), BOTH),
         ("--offsets with deviations", deviations, &[Ml]),
         ("--offsets", args.offsets.is_some(), BOTH),
@@ -40,6 +40,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
         ("--structure", args.structure.is_some(), &[Ml]),
         ("--lag", !args.lag.is_empty(), &[Ml]),
         ("--validate", !args.validate.is_empty(), &[Ml]),
+        ("--aircraft", args.aircraft.is_some(), &[Ml]),
         ("--threads", args.threads.is_some(), &[Ml]),
         ("--iir", args.iir.is_some(), &[AsPrinted]),
         ("--causal", args.causal.is_some(), &[AsPrinted]),

@@ -6,6 +6,7 @@ use reconstruct::subspace::NoiseOrigin;
 use reconstruct::{ComparedOrder, Doubt, Options, Reconstruction, Record, likelihood, subspace};
 use report::format_significant;
 
+use super::coefficients::Coefficient;
 use crate::args::values::MethodName;
 use crate::modes::IdentifiedMode;
 use crate::records::{LoadWarning, Source};
@@ -29,6 +30,8 @@ pub(crate) struct Outcome<'a> {
     pub(crate) warnings: &'a [LoadWarning],
     /// Records that the fit did not see, as the model predicts them.
     pub(crate) predictions: &'a [Prediction],
+    /// Derivatives in nondimensional form, where the size of the aircraft is known.
+    pub(crate) coefficients: &'a [Coefficient],
 }
 
 /// A record that the fit did not see.

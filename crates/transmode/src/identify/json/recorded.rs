@@ -14,6 +14,7 @@ pub(super) struct RecordedOutput<'a> {
     lags: Vec<LagOutput<'a>>,
     derivatives: Vec<DerivativeOutput<'a>>,
     correlations: Vec<Vec<f64>>,
+    coefficients: Vec<DerivativeOutput<'a>>,
     explained: Vec<ExplainedOutput<'a>>,
     validation: Vec<ExplainedOutput<'a>>,
     a: Vec<Vec<f64>>,
@@ -84,6 +85,15 @@ pub(super) fn recorded<'a>(outcome: &Outcome<'a>) -> Option<RecordedOutput<'a>> 
             })
             .collect(),
         correlations: rows(&fit.correlations),
+        coefficients: outcome
+            .coefficients
+            .iter()
+            .map(|own| DerivativeOutput {
+                name: &own.name,
+                value: own.value,
+                deviation: own.standard_error,
+            })
+            .collect(),
         explained: explained
             .flat_map(|(record, own)| by_channel(record.name(), &own.explained))
             .collect(),

@@ -17,7 +17,7 @@ pub(super) const COHERENCE_ID: &str = "coherence";
 pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let Some(fit) = input.result.output_error() else { return Ok(Vec::new()) };
     let mut blocks = time_histories::blocks(input, fit)?;
-    blocks.extend(derivatives::blocks(fit)?);
+    blocks.extend(derivatives::blocks(input, fit)?);
     blocks.extend(left_over::blocks(input, fit));
     Ok(blocks)
 }

@@ -26,7 +26,14 @@ pub(super) fn summary(outcome: &Outcome<'_>, fit: &Fit) -> String {
     }));
     lines.extend(outcome.predictions.iter().map(|own| predicted(outcome, own)));
     if !fit.derivatives.is_empty() {
-        lines.push(format!("\n{}", derivatives(fit)));
+        let rows = fit.derivatives.iter();
+        let rows = rows.map(|own| (&own.name, own.estimate.value, own.estimate.standard_error));
+        lines.push(format!("\n{}", table("derivative", rows)));
+    }
+    if !outcome.coefficients.is_empty() {
+        let rows = outcome.coefficients.iter();
+        let rows = rows.map(|own| (&own.name, own.value, own.standard_error));
+        lines.push(format!("\n{}", table("coefficient", rows)));
     }
     lines.join("\n")
 }
@@ -108,14 +115,14 @@ fn predicted(outcome: &Outcome<'_>, own: &Prediction) -> String {
 }
 
 /// A table to be pasted.
-fn derivatives(fit: &Fit) -> Table {
+fn table<'a>(what: &str, rows: impl Iterator<Item = (&'a String, f64, f64)>) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(["derivative", "estimate", "standard error"]);
-    for derivative in &fit.derivatives {
+    table.load_style(presets::NOTHING).set_header([what, "estimate", "standard error"]);
+    for (name, value, standard_error) in rows {
         table.add_row([
-            derivative.name.clone(),
-            format_significant(derivative.estimate.value, 5),
-            format_significant(derivative.estimate.standard_error, 2),
+            name.clone(),
+            format_significant(value, 5),
+            format_significant(standard_error, 2),
         ]);
     }
     for column in table.column_iter_mut().skip(1) {

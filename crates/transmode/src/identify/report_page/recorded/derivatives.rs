@@ -4,38 +4,48 @@ use reconstruct::output_error::Fit;
 use report::{Block, Column, Table, format_significant};
 
 use crate::CommandError;
+use crate::identify::outcome::Outcome;
 
 /// Correlations above this are worth a word.
 const CLOSE: f64 = 0.9;
 
-pub(super) fn blocks(fit: &Fit) -> Result<Vec<Block>, CommandError> {
+pub(super) fn blocks(input: &Outcome<'_>, fit: &Fit) -> Result<Vec<Block>, CommandError> {
     if fit.derivatives.is_empty() {
         return Ok(Vec::new());
     }
-    let fault = |error: report::ReportError| CommandError::Report(error.to_string());
-    let mut table = Table::new(
-        "Dimensional derivatives",
-        [Column::left("derivative"), Column::right("estimate"), Column::right("standard error")],
-    );
-    for derivative in &fit.derivatives {
-        let number = |value: f64, digits| format_significant(value, digits);
-        table
-            .push([
-                derivative.name.clone(),
-                number(derivative.estimate.value, 5),
-                number(derivative.estimate.standard_error, 2),
-            ])
-            .map_err(fault)?;
-    }
-    Ok(vec![
+    let rows = fit.derivatives.iter();
+    let rows = rows.map(|own| (&own.name, own.estimate.value, own.estimate.standard_error));
+    let dimensional = table("Dimensional derivatives", "derivative", rows)?;
+    let mut blocks = vec![
         Block::section("Derivatives"),
         Block::paragraph(
             "States are beta, p, r and phi in rad and rad/s. Moments are accelerations, with products of inertia within L and N. `Y_r` stands for what is usually \
              written Y_r - 1. `Y_p`, `Y_r`, `g/U` and `tan(theta)` hardly matter to what sensors read and are held near what they are in flight.",
         ),
-        table.into(),
+        dimensional,
         Block::paragraph(correlated(fit)),
-    ])
+    ];
+    if !input.coefficients.is_empty() {
+        let rows = input.coefficients.iter();
+        let rows = rows.map(|own| (&own.name, own.value, own.standard_error));
+        blocks.push(table("Nondimensional coefficients", "coefficient", rows)?);
+    }
+    Ok(blocks)
+}
+
+fn table<'a>(
+    title: &str,
+    what: &str,
+    rows: impl Iterator<Item = (&'a String, f64, f64)>,
+) -> Result<Block, CommandError> {
+    let fault = |error: report::ReportError| CommandError::Report(error.to_string());
+    let columns = [Column::left(what), Column::right("estimate"), Column::right("standard error")];
+    let mut table = Table::new(title, columns);
+    for (name, value, standard_error) in rows {
+        let error = format_significant(standard_error, 2);
+        table.push([name.clone(), format_significant(value, 5), error]).map_err(fault)?;
+    }
+    Ok(table.into())
 }
 
 /// The pairs that the records can hardly tell apart.
