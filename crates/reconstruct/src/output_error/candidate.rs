@@ -76,12 +76,13 @@ impl Candidate {
         let mut evaluation = first;
         let mut weightings = weightings_of(&evaluation)?;
         let mut last_move = f64::INFINITY;
-        for _ in 0..effort.rounds {
+        for round in 1..=effort.rounds {
             let next = problem.minimise(&evaluation.parameters, &weightings, effort.tolerance)?;
             let step = &next.parameters - &evaluation.parameters;
             last_move = step.dot(&(&next.gram * &step));
             evaluation = next;
-            if last_move < STILL {
+            // The cost belongs to the weights with which it was minimised.
+            if last_move < STILL || round == effort.rounds {
                 break;
             }
             weightings = weightings_of(&evaluation)?;
@@ -111,6 +112,13 @@ impl Candidate {
         let start = &self.evaluation.parameters;
         let found = problem.minimise(start, &self.weightings, FIRST_LOOK.tolerance)?;
         Some(found.cost)
+    }
+
+    /// By how much its fastest growing mode grows in so many seconds, as a logarithm; sampled every `period` seconds.
+    pub(super) fn growth(&self, period: f64, seconds: f64) -> f64 {
+        let Some(matrices) = self.matrices() else { return f64::INFINITY };
+        let values = matrices.a.complex_eigenvalues();
+        values.iter().map(|z| z.norm().ln() / period * seconds).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// What it leaves of each record, m x F.

@@ -1,12 +1,14 @@
 //! What can make a fit with recorded inputs untrustworthy.
 
+use std::f64::consts::TAU;
 use std::fmt;
 
 use super::candidate::Candidate;
 use super::coherence::tied_and_unexplained;
-use super::fit::{Context, Fit};
+use super::fit::{Context, Fit, RecordFit};
 use super::lag_test::lags_left;
 use super::parametrisation::Form;
+use super::spectra::Spectrum;
 
 /// A reason not to trust the result.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,11 +21,11 @@ pub enum Doubt {
         /// Minus twice the logarithm of the likelihood of the equations over its own, with Schwarz's penalty.
         evidence: f64,
     },
-    /// The recorded inputs explain too little of every sensor of a record.
+    /// The recorded inputs explain too little of a sensor in every record in which they move.
     Unexplained {
-        /// The record.
+        /// The record in which it is explained best.
         record: String,
-        /// The sensor that is explained best.
+        /// The sensor.
         sensor: String,
         /// The part of its power that is explained.
         explained: f64,
@@ -41,7 +43,7 @@ pub enum Doubt {
     LagNeeded {
         /// The sensor.
         sensor: String,
-        /// The lag in s, beside the one that it was given.
+        /// The lag in s.
         lag_s: f64,
         /// Its standard error in s.
         standard_error_s: f64,
@@ -53,18 +55,30 @@ pub enum Doubt {
         /// The real part of the eigenvalue, in 1/s.
         real_part: f64,
     },
+    /// A mode whose standard error is larger than itself.
+    Undetermined {
+        /// |s| in rad/s.
+        size: f64,
+    },
+    /// Few data for so many parameters.
+    TooShort {
+        /// Real numbers of the sensors in the band.
+        numbers: f64,
+        /// Parameters, and initial states.
+        parameters: usize,
+    },
 }
 
-/// Below this part of each sensor's power the recorded inputs cannot be all that moved the system.
-const TOO_LITTLE: f64 = 0.3;
+/// Below this part of a sensor's power the recorded inputs cannot be all that moved the system.
+const TOO_LITTLE: f64 = 0.45;
 /// Nonlinear flights stay below this part of a sensor's power.
 const MUCH_TIED: f64 = 0.1;
-/// A lag of so many standard errors is not chance.
-const CERTAIN: f64 = 4.0;
+/// A mode that grows by more than e^5 in the longest record would show.
+const LARGEST_GROWTH: f64 = 5.0;
+/// Numbers for each parameter, at least.
+const FEW: f64 = 3.0;
 /// The last round of a fit may move it by so many squared standard errors.
 const UNSETTLED: f64 = 1.0;
-/// A lag below this part of the sample period is how sensors are read.
-const LEAST_LAG: f64 = 0.6;
 /// A likelihood ratio of e^30: forms are compared by fits that are not at their ends.
 const DECISIVE: f64 = 60.0;
 
@@ -85,6 +99,8 @@ impl Doubt {
             Self::LagNeeded { .. } => "lag",
             Self::NotSettled => "not-settled",
             Self::Unstable { .. } => "unstable",
+            Self::Undetermined { .. } => "undetermined",
+            Self::TooShort { .. } => "too-short",
         }
     }
 }
@@ -100,8 +116,8 @@ impl fmt::Display for Doubt {
             ),
             Self::Unexplained { record, sensor, explained } => write!(
                 f,
-                "the recorded inputs explain {:.0} % of the power of {sensor} in {record}, and less of the others; something else moved the aircraft as well, or the inputs are not those of this record",
-                100.0 * explained
+                "the recorded inputs explain at most {:.0} % of the power of {sensor}, in {record}; something else moved the aircraft as well, or the inputs are not those of this record",
+                100.0 * explained.max(0.0)
             ),
             Self::TiedToInputs { record, sensor, part } => write!(
                 f,
@@ -118,11 +134,49 @@ impl fmt::Display for Doubt {
             ),
             Self::Unstable { real_part } => write!(
                 f,
-                "a mode grows by e in {:.2} s, which the records do not: the fit followed a disturbance; fix the order with --order",
+                "a mode grows by e in {:.3} s, which the records do not: the fit followed a disturbance; fix the order with --order",
                 1.0 / real_part
+            ),
+            Self::Undetermined { size } => write!(
+                f,
+                "the mode at {size:.3} rad/s is not determined: its standard error is larger than itself; move the controls so that it shows, or fix the order with --order"
+            ),
+            Self::TooShort { numbers, parameters } => write!(
+                f,
+                "the records are short: {numbers:.0} numbers in the band for {parameters} parameters, so that standard errors mean little; a longer record would help"
             ),
         }
     }
+}
+
+/// The part of each sensor's power that the model explains, for the records in which inputs move, at the frequencies that hold nearly all of its response: noise
+/// beyond them says nothing about the inputs.
+fn explained_where_it_responds(fit: &Fit, context: &Context<'_>) -> Vec<(usize, Vec<f64>)> {
+    /// Of the power of the response.
+    const NEARLY_ALL: f64 = 0.95;
+    let moves = |record: usize| context.spectra[record].u.iter().any(|u| u.norm_sqr() > 0.0);
+    let of_record = |(record, own): (usize, &RecordFit)| {
+        let part = |sensor: usize| {
+            let (measured, left) = (own.measured.row(sensor), own.residuals.row(sensor));
+            let response: Vec<f64> =
+                measured.iter().zip(left.iter()).map(|(y, e)| (y - e).norm_sqr()).collect();
+            let all: f64 = response.iter().sum();
+            let mut sum = 0.0;
+            let within = response.iter().take_while(|power| {
+                let before = sum;
+                sum += **power;
+                before < NEARLY_ALL * all
+            });
+            let count = within.count();
+            let power = |of: nalgebra::DVector<f64>| of.rows(0, count).sum();
+            let squares = |of: &[f64]| nalgebra::DVector::from_column_slice(of);
+            let measured: Vec<f64> = measured.iter().map(|y| y.norm_sqr()).collect();
+            let left: Vec<f64> = left.iter().map(|e| e.norm_sqr()).collect();
+            1.0 - power(squares(&left)) / power(squares(&measured)).max(f64::MIN_POSITIVE)
+        };
+        (record, (0..own.measured.nrows()).map(part).collect())
+    };
+    fit.records.iter().enumerate().filter(|(record, _)| moves(*record)).map(of_record).collect()
 }
 
 pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec<Doubt> {
@@ -137,9 +191,11 @@ pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec
     {
         doubts.push(Doubt::StructureContradicted { order: other.order, evidence: -other.above });
     }
-    for (record, own) in fit.records.iter().enumerate() {
-        let all = own.explained.iter().copied().enumerate();
-        if let Some((sensor, explained)) = all.max_by(|x, y| x.1.total_cmp(&y.1))
+    let parts = explained_where_it_responds(fit, context);
+    let sensors = context.records[0].channels().len();
+    for sensor in 0..sensors {
+        let all = parts.iter().map(|(record, of_sensors)| (*record, of_sensors[sensor]));
+        if let Some((record, explained)) = all.max_by(|x, y| x.1.total_cmp(&y.1))
             && explained < TOO_LITTLE
         {
             let (record, sensor) = name(record, sensor);
@@ -154,11 +210,8 @@ pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec
             doubts.push(Doubt::TiedToInputs { record, sensor, part });
         }
     }
-    let period = context.records[0].period().seconds();
     let late = lags_left(found, context.spectra).into_iter().enumerate();
-    let late = late.filter_map(|(sensor, lag)| Some((sensor, lag?))).filter(|(_, lag)| {
-        lag.value.abs() > CERTAIN * lag.standard_error && lag.value.abs() > LEAST_LAG * period
-    });
+    let late = late.filter_map(|(sensor, lag)| Some((sensor, lag?)));
     let worst = late.max_by(|x, y| x.1.value.abs().total_cmp(&y.1.value.abs()));
     if let Some((sensor, lag)) = worst {
         let (lag_s, standard_error_s) = (lag.value, lag.standard_error);
@@ -168,11 +221,22 @@ pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec
     if found.last_move > UNSETTLED {
         doubts.push(Doubt::NotSettled);
     }
+    let seconds =
+        context.records.iter().map(|record| record.period().seconds() * record.samples() as f64);
+    let longest = seconds.fold(0.0, f64::max);
     for mode in &fit.modes {
         let s = mode.continuous;
-        if s.value.re > 1.0 && s.value.re > 2.0 * s.real_standard_error() {
+        if s.value.re * longest > LARGEST_GROWTH && s.value.re > 2.0 * s.real_standard_error() {
             doubts.push(Doubt::Unstable { real_part: s.value.re });
         }
+        if s.covariance.trace().sqrt() > s.value.norm() && s.value.norm() * longest > TAU {
+            doubts.push(Doubt::Undetermined { size: s.value.norm() });
+        }
+    }
+    let numbers: f64 = context.spectra.iter().map(Spectrum::real_numbers).sum();
+    let parameters = found.parametrisation.identifiable() + found.evaluation.determined;
+    if numbers < FEW * parameters as f64 {
+        doubts.push(Doubt::TooShort { numbers, parameters });
     }
     doubts
 }

@@ -25,7 +25,7 @@ use crate::{ReconstructError, Record};
 pub struct Derivative {
     /// Its name: L_beta, or L_aileron for a control.
     pub name: String,
-    /// In 1/s for rates by rates, 1/s^2 for moments by angles.
+    /// L and N: 1/s^2 by an angle, 1/s by a rate. Y and g/U: 1/s by an angle, 1 by a rate. tan(theta): 1.
     pub estimate: Estimate,
 }
 
@@ -93,8 +93,15 @@ pub struct Fit {
     pub doubts: Vec<Doubt>,
 }
 
-/// Above this the residuals are no model error but a disturbance: turbulence, most of the time.
+/// From here on residuals are a disturbance rather than a model error, turbulence most of the time; at three times as much they are nothing else.
 const LARGEST_MODEL_ERROR: f64 = 0.05;
+
+/// What counts as model error of what residuals show: all of it while it is small, the least there is where they are a disturbance.
+fn part_of_the_model(found: f64) -> f64 {
+    let beyond = (found - LARGEST_MODEL_ERROR) / (2.0 * LARGEST_MODEL_ERROR);
+    let part = found.min(LARGEST_MODEL_ERROR) * (1.0 - beyond.clamp(0.0, 1.0));
+    part.max(LEAST_MODEL_ERROR)
+}
 
 /// What was fitted.
 pub(super) struct Context<'a> {
@@ -127,7 +134,7 @@ pub(super) fn conclude(
     let of_a = of_a * &covariance * of_a.transpose();
     let seconds = records.iter().map(|record| period.seconds() * record.samples() as f64);
     let resolution = std::f64::consts::TAU / seconds.fold(0.0, f64::max);
-    let own = if error.value < LARGEST_MODEL_ERROR { error.value } else { LEAST_MODEL_ERROR };
+    let own = part_of_the_model(error.value);
     let bias = ModelBias { model_error: own, resolution };
     let modes =
         modes(&matrices.a, period, &of_a, bias).map_err(|error| failed(error.to_string()))?;

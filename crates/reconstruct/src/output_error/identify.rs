@@ -27,10 +27,16 @@ const TIMES_THE_FASTEST: f64 = 10.0;
 const LARGEST_BAND: f64 = 0.7;
 /// A band that differs from the first one by less than this factor is not worth another fit.
 const SAME_BAND: f64 = 1.25;
+/// Holds whose criteria are closer than this, a likelihood ratio of e^5, cannot be told apart.
+const TELLING: f64 = 10.0;
 /// A more complicated form is worth it where it is e^10 times as likely.
 const DECISIVE: f64 = 20.0;
 /// Where the search for the order of a black box starts, and where it ends unless the options say so.
 const LOWEST_ORDER: usize = 2;
+/// A form with a mode that grows by more than e^15 in a record follows the disturbance, if another form has none.
+const LARGEST_GROWTH: f64 = 15.0;
+/// The states of the lateral equations.
+const LATERAL_ORDER: usize = 4;
 /// So many orders in a row that are less likely than the best end the search upwards.
 const MISSES: usize = 2;
 
@@ -81,7 +87,17 @@ pub fn identify(
     let first = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: FIRST_BAND * nyquist };
     let band = options.band.unwrap_or(first);
     let search = Search::new(records, inputs, options, band, options.trend == Trend::Linear)?;
-    let Forms { mut best, compared, hold_evidence } = search.best_form()?;
+    let Forms { mut best, mut compared, mut hold_evidence } = search.best_form()?;
+    let mut search = search;
+    if options.trend == Trend::AsNeeded && has_integrator(&best, records) {
+        // A state may stand in for the drift of a sensor.
+        let drifting = Search::new(records, inputs, options, band, true)?;
+        let forms = drifting.best_form()?;
+        if forms.best.criterion < best.criterion {
+            (best, compared, hold_evidence) = (forms.best, forms.compared, forms.hold_evidence);
+            search = drifting;
+        }
+    }
     let mut wanted = search;
     if options.band.is_none() {
         let highest = fastest(&best, records)
@@ -92,8 +108,12 @@ pub fn identify(
             wanted = Search::new(records, inputs, options, band, wanted.drift)?;
         }
     }
-    best = wanted.from(&best, FIRST_LOOK).unwrap_or(best);
-    if options.trend == Trend::AsNeeded {
+    match wanted.from(&best, FIRST_LOOK) {
+        Some(found) => best = found,
+        // Its weights belong to the first band.
+        None => wanted = Search::new(records, inputs, options, band, wanted.drift)?,
+    }
+    if options.trend == Trend::AsNeeded && !wanted.drift {
         let drifting = Search::new(records, inputs, options, wanted.band, true)?;
         if drifting.explains_more(&best) {
             wanted = drifting;
@@ -138,8 +158,14 @@ impl<'a> Search<'a> {
         drift: bool,
     ) -> Result<Self, ReconstructError> {
         let spectra = spectra(records, inputs, band, drift)?;
-        if spectra.iter().any(|spectrum| spectrum.z.is_empty()) {
+        let numbers: f64 = spectra.iter().map(Spectrum::real_numbers).sum();
+        let empty = spectra.iter().any(|spectrum| spectrum.z.is_empty());
+        if empty && options.band.is_some() {
             return Err(option("band", "it holds no frequency of a record".to_owned()));
+        }
+        let parameters = (records[0].channels().len() * (1 + inputs.names.len())) as f64;
+        if empty || numbers <= parameters {
+            return Err(ReconstructError::TooFewSamples { residuals: numbers, parameters });
         }
         Ok(Self { records, inputs, options, band, drift, spectra })
     }
@@ -147,7 +173,15 @@ impl<'a> Search<'a> {
     /// The most likely form among those that the options leave open, and by how much it is.
     fn best_form(&self) -> Result<Forms, ReconstructError> {
         let mut all: Vec<Candidate> = Vec::new();
-        if self.options.structure != Structure::BlackBox {
+        let other_order =
+            matches!(self.options.order, OrderChoice::Fixed(order) if order != LATERAL_ORDER);
+        if other_order && self.options.structure == Structure::Lateral {
+            return Err(option(
+                "structure",
+                "the lateral equations have 4 states; leave the order out".to_owned(),
+            ));
+        }
+        if self.options.structure != Structure::BlackBox && !other_order {
             let lateral = self.lateral();
             if lateral.is_none() && self.options.structure == Structure::Lateral {
                 return Err(option(
@@ -160,6 +194,13 @@ impl<'a> Search<'a> {
         }
         // Where the lateral equations were asked for, black boxes are fitted to say whether they hold.
         self.black_boxes(&mut all)?;
+        let seconds =
+            self.records.iter().map(|record| record.period().seconds() * record.samples() as f64);
+        let (longest, period) = (seconds.fold(0.0, f64::max), self.records[0].period().seconds());
+        let grows = |own: &Candidate| own.growth(period, longest) > LARGEST_GROWTH;
+        if !all.iter().all(grows) {
+            all.retain(|own| !grows(own));
+        }
         let lowest = all.iter().map(|own| own.criterion).fold(f64::INFINITY, f64::min);
         let asked = self.options.structure == Structure::Lateral;
         let best = all
@@ -181,8 +222,11 @@ impl<'a> Search<'a> {
         let compared = compared.collect();
         let other = if self.options.hold.is_none() { self.with_other_hold(&best) } else { None };
         let evidence = other.as_ref().map(|other| other.criterion - best.criterion);
+        // Where the records do not tell, inputs are held, as what a computer logs mostly is.
+        let held = |own: &Candidate| hold_of(own) == Hold::ZeroOrder;
+        let allowance = if held(&best) { -TELLING } else { TELLING };
         let (best, hold_evidence) = match (other, evidence) {
-            (Some(other), Some(evidence)) if evidence < 0.0 => (other, Some(-evidence)),
+            (Some(other), Some(evidence)) if evidence < allowance => (other, Some(-evidence)),
             (_, evidence) => (best, evidence),
         };
         Ok(Forms { best, compared, hold_evidence })
@@ -324,6 +368,14 @@ pub(super) fn hold_of(found: &Candidate) -> Hold {
         Form::BlackBox(form) => form.hold,
         Form::Lateral(form) => form.hold,
     }
+}
+
+/// Whether a mode moves by less than a radian or a factor of e in the longest record.
+fn has_integrator(found: &Candidate, records: &[Record]) -> bool {
+    let Some(matrices) = found.matrices() else { return false };
+    let samples = records.iter().map(Record::samples).max().unwrap_or(0) as f64;
+    let is_lateral = matches!(found.parametrisation.form, Form::Lateral(_));
+    !is_lateral && matrices.a.complex_eigenvalues().iter().any(|z| z.ln().norm() * samples < 1.0)
 }
 
 /// The largest |s| of the eigenvalues, in rad/s.

@@ -10,11 +10,15 @@ use super::parametrisation::Parametrisation;
 use super::spectra::Spectrum;
 use crate::likelihood::Estimate;
 
+/// A lag of so many standard errors is not chance.
+const CERTAIN: f64 = 4.0;
+/// A lag below this part of the sample period is how sensors are read.
+const LEAST_LAG: f64 = 0.6;
 /// Lags are needed where they are e^10 times as likely.
 const DECISIVE: f64 = 20.0;
 
-/// The lag of each sensor that was taken to be in time or late by so much, with all lags free, less what it was taken to be; `None` where it was free already,
-/// or where nothing speaks for lags.
+/// The lag of each sensor that was taken to be in time or late by so much, with all lags free; `None` where it was free already, or where nothing speaks for
+/// another lag.
 pub(super) fn lags_left(found: &Candidate, spectra: &[Spectrum]) -> Vec<Option<Estimate>> {
     let given = &found.parametrisation.sensor_lags;
     lags_free(found, spectra).unwrap_or_else(|| vec![None; given.len()])
@@ -22,6 +26,7 @@ pub(super) fn lags_left(found: &Candidate, spectra: &[Spectrum]) -> Vec<Option<E
 
 fn lags_free(found: &Candidate, spectra: &[Spectrum]) -> Option<Vec<Option<Estimate>>> {
     let given = &found.parametrisation.sensor_lags;
+    let period = spectra.first()?.period;
     let (free, start) = freed(found);
     let first = free.parameters() - free.free_lags().len();
     let fitted = Candidate::fit(free, spectra, &[start], FIRST_LOOK)?;
@@ -32,8 +37,11 @@ fn lags_free(found: &Candidate, spectra: &[Spectrum]) -> Option<Vec<Option<Estim
     let lag = |(sensor, lag): (usize, &Lag)| {
         let k = first + sensor;
         let Lag::Given(seconds) = lag else { return None };
-        let value = fitted.evaluation.parameters[k] - seconds;
-        Some(Estimate { value, standard_error: covariance[(k, k)].max(0.0).sqrt() })
+        let value = fitted.evaluation.parameters[k];
+        let standard_error = covariance[(k, k)].max(0.0).sqrt();
+        let off = (value - seconds).abs();
+        (off > CERTAIN * standard_error && off > LEAST_LAG * period)
+            .then_some(Estimate { value, standard_error })
     };
     Some(given.iter().enumerate().map(lag).collect())
 }

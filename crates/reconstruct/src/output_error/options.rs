@@ -87,6 +87,28 @@ impl Default for Options {
     }
 }
 
+/// Two inputs of which one is a multiple of the other in all records, but for rounding.
+fn alike(inputs: &RecordedInputs) -> Option<[usize; 2]> {
+    /// Of the power of one that is not a multiple of the other.
+    const ROUNDING: f64 = 1e-12;
+    let count = inputs.names.len();
+    let centred = |index: usize| -> Vec<f64> {
+        let all = inputs.signals.iter().map(|signals| &signals[index]);
+        all.flat_map(|signal| {
+            let mean = signal.iter().sum::<f64>() / signal.len().max(1) as f64;
+            signal.iter().map(move |value| value - mean)
+        })
+        .collect()
+    };
+    let all: Vec<Vec<f64>> = (0..count).map(centred).collect();
+    let product = |i: usize, k: usize| all[i].iter().zip(&all[k]).map(|(a, b)| a * b).sum::<f64>();
+    let pairs = (0..count).flat_map(|k| (0..k).map(move |i| [i, k]));
+    pairs.into_iter().find(|&[i, k]| {
+        let (own, other, mixed) = (product(i, i), product(k, k), product(i, k));
+        own > 0.0 && other > 0.0 && 1.0 - mixed * mixed / (own * other) < ROUNDING
+    })
+}
+
 /// Refuses inputs and options that do not fit the records.
 pub(super) fn check(
     records: &[Record],
@@ -128,6 +150,15 @@ pub(super) fn check(
         if !inputs.signals.iter().any(moves) {
             return Err(option(NAME, format!("input {name:?} moves in no record; leave it out")));
         }
+    }
+    if let Some([first, second]) = alike(inputs) {
+        let (first, second) = (&inputs.names[first], &inputs.names[second]);
+        return Err(option(
+            NAME,
+            format!(
+                "{second:?} is a multiple of {first:?} in all records, so that their effects cannot be told apart; leave one out"
+            ),
+        ));
     }
     let sensors = records.first().map_or(0, |record| record.channels().len());
     let lags = [

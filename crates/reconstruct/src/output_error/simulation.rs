@@ -7,6 +7,7 @@ use super::fit::Fit;
 use super::options::RecordedInputs;
 use crate::error::option;
 use crate::likelihood::Estimate;
+use crate::model::record::refuse_constant_channels;
 use crate::{ReconstructError, Record};
 
 /// A system with inputs, and by how much its sensors and inputs are late.
@@ -84,6 +85,7 @@ pub fn simulate(
     if inputs.names.len() != count || inputs.signals.len() != records.len() {
         return Err(option("recorded inputs", format!("the model has {count} inputs")));
     }
+    refuse_constant_channels(records)?;
     records
         .iter()
         .zip(&inputs.signals)

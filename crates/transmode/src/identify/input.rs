@@ -231,6 +231,7 @@ pub(super) fn validation(
     }
     let mut options = args.files.options();
     options.windows.clear();
+    options.inputs_may_be_missing = true;
     options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
     if let Some(record) = input.records.first() {
         let names = record.channels().iter().map(|channel| channel.name.clone());

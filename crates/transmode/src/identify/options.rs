@@ -101,7 +101,10 @@ pub(super) fn options(
     };
     options.profile = true;
     options.threads = threads_or_all(args.threads);
-    options.band = band(args, record)?;
+    // Recorded inputs have a band of their own, below what a decimation passes.
+    options.band = band(args, record)?.filter(|_| {
+        args.band.is_some() || excitation(args) == Excitation::Unrecorded || args.inputs.is_empty()
+    });
     options.measurement.feedthrough_sensors = feedthrough(args, record, &sensors)?;
     options.noise = match noise {
         Some(quiet) => NoiseModel::Quiet(quiet),
@@ -170,8 +173,22 @@ pub(super) fn excitation(args: &IdentifyArgs) -> Excitation {
         Some(ExcitationAsked::No) => Excitation::Recorded,
         Some(ExcitationAsked::Yes) => Excitation::Unrecorded,
         None | Some(ExcitationAsked::Auto) if has_noise => Excitation::Unrecorded,
+        None | Some(ExcitationAsked::Auto) if needs_inputs_alone(args).is_some() => {
+            Excitation::Recorded
+        }
         None | Some(ExcitationAsked::Auto) => Excitation::AsNeeded,
     }
+}
+
+/// An option that has a meaning only where the recorded inputs are all there was.
+fn needs_inputs_alone(args: &IdentifyArgs) -> Option<&'static str> {
+    let given = [
+        ("--structure", args.structure.is_some()),
+        ("--lag", !args.lag.is_empty()),
+        ("--validate", !args.validate.is_empty()),
+        ("--aircraft", args.aircraft.is_some()),
+    ];
+    given.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
 }
 
 /// Refuses noise that is given where all inputs are recorded: there the disturbance is estimated from the residuals, whatever it is.
@@ -182,6 +199,10 @@ fn refuse_beside_recorded_inputs(args: &IdentifyArgs) -> Result<(), CommandError
         ("--white-noise", args.white_noise.is_some()),
     ];
     let given = given.iter().find(|(_, is_given)| *is_given);
+    if let (Excitation::Unrecorded, Some(option)) = (excitation(args), needs_inputs_alone(args)) {
+        let message = "it needs recorded inputs and nothing else that excites; leave it out, or --unknown-excitation yes and the noise".to_owned();
+        return Err(OptionError::Refused { option, message }.into());
+    }
     match given {
         Some((option, _)) if args.unknown_excitation == Some(ExcitationAsked::No) => {
             let message = "with --unknown-excitation no the disturbance is estimated from what the inputs leave unexplained, whatever its spectrum; leave one of both out"

@@ -81,7 +81,8 @@ fn check_missing_inputs(
 ) -> Result<(), CommandError> {
     let mut missing = std::mem::take(&mut loaded.missing_inputs);
     for (input, column) in options.known_inputs.iter().enumerate() {
-        if missing.iter().all(|of_file| of_file[input].is_some())
+        if !options.inputs_may_be_missing
+            && missing.iter().all(|of_file| of_file[input].is_some())
             && let Some(error) = missing.first_mut().and_then(|of_file| of_file[input].take())
         {
             return Err(error);

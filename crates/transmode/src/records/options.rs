@@ -15,6 +15,8 @@ pub(crate) struct LoadOptions {
     pub(crate) decimate: NonZero<usize>,
     /// Columns that hold measured inputs, beside the sensors.
     pub(crate) known_inputs: Vec<String>,
+    /// Whether a measured input may be missing from all files: then it did not move.
+    pub(crate) inputs_may_be_missing: bool,
     /// How the files are written, where they do not say it.
     pub(crate) reading: ReadOptions,
     /// The period to which samples are interpolated, in seconds.
@@ -50,6 +52,7 @@ impl Default for LoadOptions {
             windows: Vec::new(),
             decimate: NonZero::<usize>::MIN,
             known_inputs: Vec::new(),
+            inputs_may_be_missing: false,
             reading: ReadOptions::default(),
             resample_s: None,
             angles: Angles::default(),

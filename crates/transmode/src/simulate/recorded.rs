@@ -55,6 +55,7 @@ pub(super) fn run(
     let mut options = LoadOptions::default();
     options.selection.outputs = names;
     options.known_inputs.clone_from(&inputs);
+    options.inputs_may_be_missing = true;
     let Loaded { records, known_inputs, warnings, .. } =
         load(&[flight.to_owned()], &options, Progress::Hidden)?;
     let recorded = RecordedInputs { names: inputs, signals: known_inputs };

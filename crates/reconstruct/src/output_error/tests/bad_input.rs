@@ -1,5 +1,6 @@
 use super::*;
 use crate::ReconstructError;
+use crate::subspace::OrderChoice;
 
 type Change = fn(&mut RecordedInputs, &mut Options);
 
@@ -15,7 +16,21 @@ fn refused(change: Change) -> String {
 
 #[test]
 fn inputs_and_options_that_do_not_fit() {
-    let cases: [(Change, &str); 8] = [
+    let cases: [(Change, &str); 10] = [
+        (
+            |inputs, _| {
+                inputs.signals[0][1] =
+                    inputs.signals[0][0].iter().map(|value| -2.0 * value).collect();
+            },
+            "\"rudder\" is a multiple of \"aileron\"",
+        ),
+        (
+            |_, options| {
+                options.structure = Structure::Lateral;
+                options.order = OrderChoice::Fixed(6);
+            },
+            "the lateral equations have 4 states",
+        ),
         (|inputs, _| inputs.names.clear(), "recorded inputs: there are none"),
         (|inputs, _| inputs.signals.clear(), "recorded inputs: lists for 0 of 1 records"),
         (|inputs, _| inputs.signals[0].truncate(1), "has 1 of 2 inputs"),

@@ -33,7 +33,7 @@ fn beside_noise_and_offsets_standard_errors_hold() {
 fn gusts_are_no_obstacle() {
     let mut all = Vec::new();
     for seed in 1..=6 {
-        let gusty = Flown { gust: 0.02, samples: 2400, ..BOTH };
+        let gusty = Flown { gust: 0.01, samples: 2400, ..BOTH };
         let (records, inputs) = flights(&[gusty], seed);
         let fit = identify(&records, &inputs, &Options::default()).unwrap();
         assert!(fit.doubts.is_empty(), "{seed}: {:?}", fit.doubts);
@@ -42,6 +42,10 @@ fn gusts_are_no_obstacle() {
     }
     let within = all.iter().filter(|score| score.abs() < 3.0).count();
     assert!(10 * within >= 8 * all.len(), "{all:?}");
+    // Gusts that move the aircraft more than the inputs do are as good as an input that is missing.
+    let (records, inputs) = flights(&[Flown { gust: 0.03, ..BOTH }], 1);
+    let fit = identify(&records, &inputs, &Options::default()).unwrap();
+    assert!(fit.doubts.iter().any(Doubt::is_of_unrecorded_excitation), "{:?}", fit.doubts);
 }
 
 #[test]
@@ -105,6 +109,38 @@ fn inputs_that_did_not_move_the_aircraft_are_doubted() {
     let fit = identify(&records, &inputs, &Options::default()).unwrap();
     let codes: Vec<_> = fit.doubts.iter().map(Doubt::code).collect();
     assert!(codes.contains(&"inputs-explain-little"), "{codes:?}");
+}
+
+/// The aileron moves the aircraft as well, and nobody says so.
+#[test]
+fn an_input_that_is_missing_is_a_disturbance_or_a_doubt() {
+    for seed in 1..=4 {
+        let (records, inputs) = flights(&[BOTH], seed);
+        let rudder = RecordedInputs {
+            names: inputs.names[1..].to_vec(),
+            signals: vec![inputs.signals[0][1..].to_vec()],
+        };
+        let fit = identify(&records, &rudder, &Options::default()).unwrap();
+        let doubted = fit.doubts.iter().any(Doubt::is_of_unrecorded_excitation);
+        let off = error(&fit.modes, &eigenvalues());
+        assert!(doubted || off < 0.1, "{seed}: {off}");
+    }
+}
+
+#[test]
+fn an_order_that_was_asked_for_is_used() {
+    let (records, inputs) = flights(&[BOTH], 9);
+    let options = Options { order: OrderChoice::Fixed(5), ..Options::default() };
+    let fit = identify(&records, &inputs, &options).unwrap();
+    assert_eq!((fit.model.a().nrows(), fit.derivatives.len()), (5, 0));
+}
+
+/// Twelve parameters and a few numbers more.
+#[test]
+fn few_samples_are_doubted() {
+    let (records, inputs) = flights(&[Flown { samples: 60, ..BOTH }], 10);
+    let fit = identify(&records, &inputs, &Options::default()).unwrap();
+    assert!(fit.doubts.iter().any(|doubt| doubt.code() == "too-short"), "{:?}", fit.doubts);
 }
 
 #[test]

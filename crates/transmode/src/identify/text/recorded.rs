@@ -7,6 +7,9 @@ use report::format_significant;
 
 use crate::identify::outcome::{Outcome, Prediction};
 
+/// Below this, a likelihood ratio of e^5, the records do not tell one hold from the other.
+const TELLING: f64 = 10.0;
+
 /// A line for each of form, hold, lags, band and what is explained; then the derivatives.
 pub(super) fn summary(outcome: &Outcome<'_>, fit: &Fit) -> String {
     let mut lines = vec![format!("inputs: {}", outcome.options.inputs.names.join(", ")), form(fit)];
@@ -67,6 +70,7 @@ fn hold(fit: &Fit) -> String {
     };
     let certainty = match fit.hold_evidence {
         None => ", as asked for".to_owned(),
+        Some(evidence) if evidence < TELLING => ", or not: the records do not tell".to_owned(),
         Some(evidence) => {
             let exponent = format_significant(evidence.abs() / 2.0, 2);
             format!(", e^{exponent} times more likely than the other way")
