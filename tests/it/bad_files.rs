@@ -250,7 +250,7 @@ fn texts() -> Vec<Case> {
             plain,
             "line 92, column \"time\": the time is missing",
         ),
-        ("gaps.csv", nan(20), plain, "its gaps leave no stretch of 50 samples, the longest has 19"),
+        ("gaps.csv", nan(3), plain, "its gaps leave no stretch of 50 samples, the longest has 2"),
         (
             "nothing.csv",
             nan(1),

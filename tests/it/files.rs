@@ -191,7 +191,7 @@ fn gaps_leave_the_stretches_between_them() {
         folder.file("a.csv", table(&gappy, "time,beta,p,r", ",", plain)),
         folder.file("b.csv", table(&rudder, "time,beta,p,r", ",", plain)),
     ];
-    let (_, json) = identify(&files, &["--outputs", "beta,p,r"]);
+    let (_, json) = identify(&files, &["--outputs", "beta,p,r", "--bridge", "0"]);
     let records: Vec<_> = json["records"]
         .as_array()
         .unwrap()

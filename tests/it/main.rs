@@ -13,6 +13,7 @@ mod fit;
 mod fit_bad_input;
 mod flights;
 mod formats;
+mod gaps;
 mod identify;
 mod identify_bad_input;
 mod identify_numbers;

@@ -1,6 +1,7 @@
 //! What do the records hold, and what do they have in common? Records and how they were measured, the system that they
 //! share, and what is known about their noise. `matching.rs` pairs points of the complex plane for whoever compares two lists of them.
 
+mod gap_filling;
 pub(crate) mod matching;
 mod measurement;
 mod noise_model;

@@ -11,6 +11,7 @@
 
 pub(crate) mod binary;
 pub(crate) mod blocks;
+pub(crate) mod bridging;
 pub(crate) mod clock;
 mod clock_fit;
 mod clock_unit;

@@ -253,7 +253,10 @@ fn repeat(
             channel.values.iter().zip(&output).map(|(y, change)| y + change * scale * unit);
         channels.push(Channel::new(channel.name.clone(), values.collect()));
     }
-    Record::new(record.name(), record.period(), channels)
+    for (index, channel) in channels.iter_mut().enumerate() {
+        record.missing(index).iter().for_each(|&sample| channel.values[sample] = f64::NAN);
+    }
+    Record::with_missing(record.name(), record.period(), channels)
 }
 
 /// k of z = exp(2 pi j k / N).

@@ -10,6 +10,7 @@
 //! | `resolvent.rs` | (zI - A)^-1 at one frequency, for the input directions |
 //! | `frequency_block.rs`, `simd.rs` | everything at eight frequencies |
 //! | `sums.rs`, `accumulate.rs` | the sums over frequencies |
+//! | `missing.rs` | missing samples as unknowns, eliminated exactly |
 //! | `evaluation.rs` | cost, gradient and Gram matrix of all records; t_j eliminated |
 
 pub(crate) mod accumulate;
@@ -17,6 +18,7 @@ pub(crate) mod evaluation;
 pub(crate) mod feedback;
 pub(crate) mod first_order_hold;
 mod frequency_block;
+pub(crate) mod missing;
 pub(crate) mod noise;
 pub(crate) mod parameters;
 pub(crate) mod record_system;

@@ -2,6 +2,7 @@
 
 use lti::SamplePeriod;
 
+use super::gap_filling::fill;
 use crate::ReconstructError;
 
 /// Uniformly sampled sensor signals of one system, excited through one input that nobody measured.
@@ -13,6 +14,9 @@ use crate::ReconstructError;
 ///
 /// The first channel is the pseudo input of the transmissibilities, the others are pseudo outputs. All samples are finite, all
 /// channels have the same length, and no two share a name.
+///
+/// Samples may be missing, see [`Record::with_missing`]. The channels then hold interpolated values in their places, and the methods treat these as
+/// unknown: likelihoods are those of the samples that are there, and no window of a block-Hankel matrix touches the others.
 ///
 /// # Example
 ///
@@ -34,6 +38,8 @@ pub struct Record {
     name: String,
     period: SamplePeriod,
     channels: Vec<Channel>,
+    /// For each channel the missing samples, ascending.
+    missing: Vec<Vec<usize>>,
 }
 
 /// One sensor's signal.
@@ -92,7 +98,64 @@ impl Record {
                 });
             }
         }
-        Ok(Self { name, period, channels })
+        let missing = vec![Vec::new(); channels.len()];
+        Ok(Self { name, period, channels, missing })
+    }
+
+    /// The same where samples may be missing: those that are NaN.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Record::new`]; [`ReconstructError::NotFinite`] for infinite samples and for a channel of which all samples are missing.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use lti::SamplePeriod;
+    /// use reconstruct::{Channel, Record};
+    ///
+    /// let beta = Channel::new("beta", vec![0.0, 1.0, f64::NAN, 3.0]);
+    /// let p = Channel::new("p", vec![0.0, 0.5, 0.4, 0.2]);
+    /// let record = Record::with_missing("aileron", SamplePeriod::new(0.1)?, vec![beta, p])?;
+    /// assert_eq!(record.missing(0), [2]);
+    /// assert!(record.missing(1).is_empty());
+    /// assert_eq!(record.missing_rows(), 1);
+    /// // Nothing is NaN: missing samples are interpolated.
+    /// assert_eq!(record.channels()[0].values[2], 2.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_missing(
+        name: impl Into<String>,
+        period: SamplePeriod,
+        mut channels: Vec<Channel>,
+    ) -> Result<Self, ReconstructError> {
+        let missing = channels.iter_mut().map(|channel| fill(&mut channel.values)).collect();
+        Ok(Self { missing, ..Self::new(name, period, channels)? })
+    }
+
+    /// The missing samples of a channel, ascending; none of a channel that is not there.
+    #[must_use]
+    pub fn missing(&self, channel: usize) -> &[usize] {
+        self.missing.get(channel).map_or(&[], Vec::as_slice)
+    }
+
+    /// At how many times a sample of any channel is missing.
+    #[must_use]
+    pub fn missing_rows(&self) -> usize {
+        let mut rows: Vec<usize> = self.missing.iter().flatten().copied().collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows.len()
+    }
+
+    /// The channels with NaN in the place of each missing sample, as [`Record::with_missing`] takes them.
+    #[must_use]
+    pub fn marked(&self) -> Vec<Channel> {
+        let mut channels = self.channels.clone();
+        for (channel, missing) in channels.iter_mut().zip(&self.missing) {
+            missing.iter().for_each(|&sample| channel.values[sample] = f64::NAN);
+        }
+        channels
     }
 
     /// What the record is called, for messages and tables.

@@ -309,6 +309,7 @@ impl Signals {
             power: None,
             offset_variance: vec![0.0; self.sensors],
             starts_at_zero: false,
+            missing: None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! From samples to covariances, in units that neither overflow nor underflow.
 
-use hankel::{Gram, Layout, Options};
+use hankel::{Gram, Layout, Missing, Options};
 use nalgebra::DMatrix;
 
 use super::dense::{Eigen, eigen, eigenvalues};
@@ -80,8 +80,8 @@ fn without_inputs(
     let source = &setting.records[record];
     let names = (0..inputs.len()).map(|index| format!("known input {index}"));
     let known = names.zip(inputs).map(|(name, values)| Channel::new(name, values.clone()));
-    let channels = source.channels().iter().cloned().chain(known).collect();
-    let all = Record::new(source.name(), source.period(), channels)?;
+    let channels = source.marked().into_iter().chain(known).collect();
+    let all = Record::with_missing(source.name(), source.period(), channels)?;
     let scales = inputs.iter().map(|input| rms(input));
     let units: Vec<f64> = units.iter().copied().chain(scales).collect();
     let gram = gram(&all, &units, block_rows, setting.centring)?;
@@ -153,6 +153,8 @@ fn units(setting: Setting<'_>) -> Vec<f64> {
         .collect()
 }
 
+/// The Gram matrix of a record's windows that touch no missing sample; of all windows, with interpolated samples, where hardly any is left.
+///
 /// Row centring removes constants, but first they cost digits: large ones are taken away before.
 fn gram(
     record: &Record,
@@ -160,7 +162,7 @@ fn gram(
     block_rows: usize,
     centring: Centring,
 ) -> Result<Gram, ReconstructError> {
-    let scaled: Vec<Vec<f64>> = record
+    let mut scaled: Vec<Vec<f64>> = record
         .channels()
         .iter()
         .zip(units)
@@ -172,13 +174,39 @@ fn gram(
             values
         })
         .collect();
+    let mut options = Options::default();
+    if are_windows_left(record, block_rows) {
+        for (index, values) in scaled.iter_mut().enumerate() {
+            record.missing(index).iter().for_each(|&sample| values[sample] = f64::NAN);
+        }
+        options.missing = Missing::Gap;
+    }
     let channels: Vec<&[f64]> = scaled.iter().map(Vec::as_slice).collect();
     let layout = Layout::block_hankel(channels.len(), block_rows).map_err(failed)?;
-    let gram = hankel::gram(&layout, &channels, &Options::default()).map_err(failed)?;
+    let gram = hankel::gram(&layout, &channels, &options).map_err(failed)?;
     Ok(match centring {
         Centring::Rows => gram.centred(),
         Centring::None => gram,
     })
+}
+
+/// Whether samples are missing, and enough windows of so many block rows lie between them.
+fn are_windows_left(record: &Record, block_rows: usize) -> bool {
+    /// Windows for each row of the matrix: with fewer, interpolation errors do less harm than chance.
+    const WINDOWS_PER_ROW: usize = 2;
+    let sensors = record.channels().len();
+    let mut edges: Vec<usize> =
+        (0..sensors).flat_map(|channel| record.missing(channel)).copied().collect();
+    if edges.is_empty() {
+        return false;
+    }
+    edges.push(record.samples());
+    edges.sort_unstable();
+    edges.dedup();
+    let starts = std::iter::once(0).chain(edges.iter().map(|edge| edge + 1));
+    let windows: usize =
+        starts.zip(&edges).map(|(start, end)| (end + 1).saturating_sub(start + block_rows)).sum();
+    windows >= WINDOWS_PER_ROW * sensors * block_rows
 }
 
 /// `H H' / M` in double.

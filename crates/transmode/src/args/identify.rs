@@ -10,6 +10,7 @@ use super::values::{
     Band, ExcitationAsked, HoldAsked, LagAsked, MethodName, OffsetsAsked, OrderAsked, QuietFile,
     StructureAsked, level, order, threads,
 };
+use crate::records::options::bridge;
 
 /// Names the modes of a system from two or more records of its sensors.
 ///
@@ -21,6 +22,11 @@ use super::values::{
 pub(crate) struct IdentifyArgs {
     #[command(flatten)]
     pub(crate) files: FileArgs,
+
+    /// Gaps of up to so many seconds are missing samples inside one record, longer ones split it; 0 splits at each
+    /// [default: three samples, or a quarter of a second where that is more, up to 25 samples].
+    #[arg(long, value_name = "SECONDS", value_parser = bridge, allow_negative_numbers = true)]
+    pub(crate) bridge: Option<f64>,
 
     /// How to find the modes [default: ml].
     #[arg(long, value_enum, value_name = "METHOD")]

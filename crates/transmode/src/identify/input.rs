@@ -7,6 +7,7 @@ use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{MethodName, QuietFile};
 use crate::error::{OptionError, in_file};
+use crate::records::bridging::Bridge;
 use crate::records::copies::copies;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress, Source};
 
@@ -26,6 +27,10 @@ pub(super) struct Input {
 pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, CommandError> {
     let mut options = args.files.options();
     options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
+    // The printed method fits each record without noise, so that it asks for samples without gaps.
+    if args.method() != MethodName::AsPrinted {
+        options.bridge = args.bridge.map_or(Bridge::Usual, Bridge::UpTo);
+    }
     let loaded = records::load(&args.files.files, &options, progress)?;
     let Loaded { records, sources, known_inputs, warnings, .. } = loaded;
     let mut input = Input { records, sources, known_inputs, noise: None, warnings };
@@ -71,10 +76,9 @@ fn leave_out_copies(input: &mut Input, asked: &[String]) -> Result<(), CommandEr
     input.warnings.extend(warnings);
     let is_kept = |index: usize| !copies.iter().any(|found| found.copy == index);
     for (record, source) in input.records.iter_mut().zip(&mut input.sources) {
-        let channels = record.channels().iter().enumerate();
-        let kept =
-            channels.filter(|(index, _)| is_kept(*index)).map(|(_, channel)| channel.clone());
-        *record = Record::new(record.name(), record.period(), kept.collect())
+        let channels = record.marked().into_iter().enumerate();
+        let kept = channels.filter(|(index, _)| is_kept(*index)).map(|(_, channel)| channel);
+        *record = Record::with_missing(record.name(), record.period(), kept.collect())
             .map_err(|error| in_file(&source.file, &error))?;
         let units = std::mem::take(&mut source.units).into_iter().enumerate();
         source.units = units.filter(|(index, _)| is_kept(*index)).map(|(_, unit)| unit).collect();
@@ -261,7 +265,12 @@ fn quiet(
     input: &mut Input,
     progress: Progress,
 ) -> Result<Record, CommandError> {
-    let mut options = LoadOptions { known_inputs: Vec::new(), ..options.clone() };
+    let mut options = LoadOptions {
+        known_inputs: Vec::new(),
+        // Its spectrum is that of a stretch without gaps.
+        bridge: Bridge::Never,
+        ..options.clone()
+    };
     if let Some(record) = input.records.first() {
         let names = record.channels().iter().map(|channel| channel.name.clone());
         options.selection.outputs = names.collect();

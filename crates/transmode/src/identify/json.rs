@@ -84,6 +84,7 @@ struct GapOutput {
 struct RecordOutput<'a> {
     file: &'a str,
     samples: usize,
+    bridged_rows: usize,
     excitation_rank: Option<usize>,
     /// Probability of residuals as little white by chance.
     chi2_per_dof: Option<f64>,
@@ -249,6 +250,7 @@ fn records<'a>(outcome: &Outcome<'a>) -> Vec<RecordOutput<'a>> {
     let record = |(index, record): (usize, &'a reconstruct::Record)| RecordOutput {
         file: record.name(),
         samples: record.samples(),
+        bridged_rows: outcome.sources.get(index).map_or(0, |source| source.bridged),
         excitation_rank: excitations.get(index).map(|excitation| excitation.rank),
         chi2_per_dof: sizes.get(index).copied(),
         whiteness_p_value: whiteness.get(index).map(|test| test.p_value),

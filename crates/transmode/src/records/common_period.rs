@@ -75,5 +75,5 @@ pub(crate) fn with_period(
     period_s: f64,
 ) -> Result<Record, Box<dyn std::error::Error>> {
     let period = SamplePeriod::new(period_s)?;
-    Ok(Record::new(record.name(), period, record.channels().to_vec())?)
+    Ok(Record::with_missing(record.name(), period, record.marked())?)
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use lti::SamplePeriod;
 use reconstruct::{Channel, Record};
 
+use super::bridging::{Stretch, stretches};
 use super::clock::Clock;
 use super::common_period;
 use super::decimation::{self, Decimator};
@@ -16,7 +17,7 @@ use super::options::{Angles, LoadOptions, Window};
 use super::progress::Progress;
 use super::resampling;
 use super::same_units;
-use super::segments::{SHORTEST, segments};
+use super::segments::SHORTEST;
 use super::selection::{Selected, Selection};
 use super::source::Source;
 use super::table::{Opened, Table};
@@ -272,10 +273,25 @@ impl Recording<'_> {
             LoadWarning::add_once(&mut loaded.warnings, LoadWarning::ClockUnit { file, text });
         }
         let channels: Vec<&[f64]> = self.table.values.iter().map(Vec::as_slice).collect();
-        let mut stretches = segments(rows.clone(), &even.after_gaps, &channels);
-        let is_whole = stretches.as_slice() == std::slice::from_ref(&rows);
+        let longest = options.bridge.longest(even.period_s);
+        let gaps: Vec<(usize, usize)> =
+            even.after_gaps.iter().map(|&row| (row, self.absent(row, even.period_s))).collect();
+        let mut stretches = stretches(rows.clone(), &gaps, &channels, longest);
+        let is_whole = matches!(stretches.as_slice(), [one] if one.rows == rows);
         if !is_whole {
             stretches = self.long_enough(&name, stretches, &mut loaded.warnings)?;
+        }
+        if let Some(longest_gap) = stretches.iter().map(|stretch| stretch.longest_gap).max()
+            && longest_gap > 0
+        {
+            let missing = stretches.iter().map(|stretch| stretch.missing).sum();
+            let bridge_s = without_rounding(longest as f64 * even.period_s);
+            loaded.warnings.push(LoadWarning::Bridged {
+                record: name.clone(),
+                missing,
+                longest_gap,
+                bridge_s,
+            });
         }
         let is_one = stretches.len() == 1;
         let whole = loaded.sources.last().map_or(0, |last| last.whole + 1);
@@ -286,21 +302,33 @@ impl Recording<'_> {
         Ok(())
     }
 
+    /// The rows that are not in the file in front of a row behind a gap.
+    fn absent(&self, row: usize, period_s: f64) -> usize {
+        let steps = (self.times.at(row) - self.times.at(row.saturating_sub(1))) / period_s;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "what is too large stays the largest number there is"
+        )]
+        let absent = (steps.round() - 1.0).max(1.0) as usize;
+        absent
+    }
+
     /// Leaves out what is too short, and says what gaps did.
     fn long_enough(
         &self,
         record: &str,
-        mut stretches: Vec<Range<usize>>,
+        mut stretches: Vec<Stretch>,
         warnings: &mut Vec<LoadWarning>,
-    ) -> Result<Vec<Range<usize>>, CommandError> {
+    ) -> Result<Vec<Stretch>, CommandError> {
         let record = record.to_owned();
         if let [_, second, ..] = &stretches[..] {
-            let (stretches, place) = (stretches.len(), self.table.places.of(second.start));
+            let (stretches, place) = (stretches.len(), self.table.places.of(second.rows.start));
             warnings.push(LoadWarning::Split { record: record.clone(), stretches, place });
         }
-        let longest = stretches.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
-        let short = || stretches.iter().filter(|stretch| stretch.len() < SHORTEST);
-        let (count, samples) = (short().count(), short().map(ExactSizeIterator::len).sum());
+        let longest = stretches.iter().map(Stretch::samples).max().unwrap_or(0);
+        let short = || stretches.iter().filter(|stretch| stretch.samples() < SHORTEST);
+        let (count, samples) = (short().count(), short().map(Stretch::samples).sum());
         if longest < SHORTEST {
             let file = self.file.to_owned();
             return Err(SelectionError::OnlyGaps { file, needed: SHORTEST, longest }.into());
@@ -308,39 +336,37 @@ impl Recording<'_> {
         if count > 0 {
             warnings.push(LoadWarning::ShortStretches { record, count, samples });
         }
-        stretches.retain(|stretch| stretch.len() >= SHORTEST);
+        stretches.retain(|stretch| stretch.samples() >= SHORTEST);
         Ok(stretches)
     }
 
     fn record(
         &mut self,
         (name, whole): (String, usize),
-        stretch: Range<usize>,
+        stretch: Stretch,
         (period_s, clock): (f64, Clock),
         options: &LoadOptions,
         loaded: &mut Loaded,
     ) -> Result<(), CommandError> {
         let factor = options.decimate;
         let needed = decimation::length(factor);
-        if stretch.len() < needed {
-            let (file, found) = (self.file.to_owned(), stretch.len());
+        if stretch.samples() < needed {
+            let (file, found) = (self.file.to_owned(), stretch.samples());
             return Err(
                 SelectionError::Decimation { file, factor: factor.get(), needed, found }.into()
             );
         }
         let decimator = Decimator::new(factor);
         let margin = decimator.margin();
-        let is_all = stretch == (0..self.times.samples());
+        let is_all = stretch.absent.is_empty() && stretch.rows == (0..self.times.samples());
         let mut channels = Vec::new();
         for index in 0..self.table.values.len() {
             let values = &mut self.table.values[index];
-            let values = if factor.get() > 1 {
-                decimator.decimate(&values[stretch.clone()])
-            } else if is_all && options.windows.is_empty() {
+            let values = if is_all && options.windows.is_empty() {
                 // The only record of its file: nobody needs the numbers any more.
                 std::mem::take(values)
             } else {
-                values[stretch.clone()].to_vec()
+                stretch.of(values)
             };
             channels.push(Channel::new(self.table.heading(index).name.clone(), values));
         }
@@ -350,10 +376,28 @@ impl Recording<'_> {
             factor => without_rounding(period_s * factor as f64),
         });
         let period = period.map_err(|error| in_file(self.file, &error))?;
-        let record =
-            Record::new(name, period, channels).map_err(|error| in_file(self.file, &error))?;
-        let first = stretch.start + margin;
-        let last = first + (record.samples().saturating_sub(1)) * factor.get();
+        let checked = |channels| {
+            Record::with_missing(name.clone(), period, channels)
+                .map_err(|error| in_file(self.file, &error))
+        };
+        let mut record = checked(channels)?;
+        // Missing samples of inputs are interpolated.
+        let mut known = if known.is_empty() { known } else { checked(known)?.channels().to_vec() };
+        if factor.get() > 1 {
+            let thin = |channel: &Channel| {
+                Channel::new(channel.name.clone(), decimator.decimate(&channel.values))
+            };
+            known = known.iter().map(thin).collect();
+            record = checked(record.channels().iter().map(thin).collect())?;
+        }
+        // In rows of the record, of which the file may have fewer.
+        let start_s = self.times.at(stretch.rows.start);
+        let at = |sample: usize| match stretch.absent.first() {
+            None => self.times.at(stretch.rows.start + sample),
+            Some(_) => start_s + sample as f64 * period_s,
+        };
+        let last = margin + (record.samples().saturating_sub(1)) * factor.get();
+        let span_s = [at(margin), at(last)];
         let mut known = known.into_iter().map(|channel| channel.values);
         let still = || vec![0.0; record.samples()];
         let of = |has: &bool| if *has { known.next().unwrap_or_else(still) } else { still() };
@@ -362,7 +406,8 @@ impl Recording<'_> {
         loaded.records.push(record);
         loaded.sources.push(Source {
             file: self.file.to_owned(),
-            span_s: [self.times.at(first), self.times.at(last)],
+            span_s,
+            bridged: stretch.missing,
             units: self.units.clone(),
             whole,
             clock,

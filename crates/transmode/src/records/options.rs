@@ -3,6 +3,7 @@
 use std::num::NonZero;
 use std::path::PathBuf;
 
+use super::bridging::Bridge;
 use super::selection::Selection;
 
 /// How files become records.
@@ -22,6 +23,8 @@ pub(crate) struct LoadOptions {
     /// The period to which samples are interpolated, in seconds.
     pub(crate) resample_s: Option<f64>,
     pub(crate) angles: Angles,
+    /// Which gaps are missing samples of one record.
+    pub(crate) bridge: Bridge,
 }
 
 /// How a file is written, where it does not say it.
@@ -56,6 +59,7 @@ impl Default for LoadOptions {
             reading: ReadOptions::default(),
             resample_s: None,
             angles: Angles::default(),
+            bridge: Bridge::default(),
         }
     }
 }
@@ -114,6 +118,14 @@ pub(crate) fn period(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(period_s) if (1e-12..=1e12).contains(&period_s) => Ok(period_s),
         _ => Err("a sample period is a number of seconds from 1e-12 to 1e12".to_owned()),
+    }
+}
+
+/// The longest gap that is bridged, given on the command line, in seconds.
+pub(crate) fn bridge(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(bridge_s) if (0.0..=1e12).contains(&bridge_s) => Ok(bridge_s),
+        _ => Err("the longest gap that is bridged is a number of seconds, 0 for none".to_owned()),
     }
 }
 

@@ -10,6 +10,8 @@ pub(crate) struct Source {
     pub(crate) file: PathBuf,
     /// The time of its first and of its last sample, in seconds of the file's own time.
     pub(crate) span_s: [f64; 2],
+    /// Rows that are missing or incomplete, in gaps that were bridged.
+    pub(crate) bridged: usize,
     /// The unit of each channel after conversion, where the file states one.
     pub(crate) units: Vec<Option<&'static str>>,
     /// Index of the file, or of the window of one, among all of them: the stretches between the

@@ -19,6 +19,16 @@ pub(crate) enum LoadWarning {
         /// Where the second one starts.
         place: String,
     },
+    /// Short gaps that are missing samples of one record.
+    Bridged {
+        record: String,
+        /// Rows that are missing or incomplete.
+        missing: usize,
+        /// The most of them in a gap.
+        longest_gap: usize,
+        /// Gaps of up to so long are bridged.
+        bridge_s: f64,
+    },
     /// Stretches between gaps that were left out.
     ShortStretches {
         record: String,
@@ -110,7 +120,8 @@ impl LoadWarning {
     /// What its line begins with: what was assumed and does no harm is a note.
     pub(crate) fn label(&self) -> &'static str {
         match self {
-            Self::Clock { .. }
+            Self::Bridged { .. }
+            | Self::Clock { .. }
             | Self::ClocksDiffer { .. }
             | Self::ClockUnit { .. }
             | Self::TimeUnused { .. }
@@ -127,6 +138,7 @@ impl LoadWarning {
     pub(crate) fn code(&self) -> &'static str {
         match self {
             Self::Split { .. } => "gaps",
+            Self::Bridged { .. } => "bridged",
             Self::ShortStretches { .. } => "short-stretches",
             Self::LongestStretch { .. } => "longest-stretch",
             Self::WindowCut { .. } => "window-cut",
@@ -155,6 +167,13 @@ impl fmt::Display for LoadWarning {
                 f,
                 "gaps split {record} into {stretches} stretches, which count as one record; the second starts at {place}"
             ),
+            Self::Bridged { record, missing, longest_gap, bridge_s } => {
+                let (rows, verb) = if *missing == 1 { ("row", "is") } else { ("rows", "are") };
+                write!(
+                    f,
+                    "{record}: {missing} {rows} in gaps of up to {longest_gap} {verb} missing or incomplete, and taken as unknown inside one record (gaps longer than {bridge_s} s would split it, --bridge)"
+                )
+            }
             Self::LongestStretch { record, samples, total } => write!(
                 f,
                 "only the longest stretch between gaps is used: {record}, {samples} of {total} samples"

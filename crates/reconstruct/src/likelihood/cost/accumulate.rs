@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use hankel::{Sharing, in_order};
 
-use super::frequency_block::FrequencyBlock;
+use super::frequency_block::{AtFrequencies, FrequencyBlock};
 use super::record_system::RecordSystem;
 use super::schur_form::SchurForm;
 use super::simd::WIDTH;
@@ -77,6 +77,40 @@ pub(crate) fn accumulate(
         },
     );
     total.unwrap_or(all)
+}
+
+/// What stands behind the sums of the likelihood at each frequency; `None` where [`accumulate`] gives no cost.
+pub(crate) fn at_frequencies(
+    record: &RecordSpectrum,
+    system: &RecordSystem,
+) -> Option<AtFrequencies> {
+    let schur = SchurForm::new(record, system)?;
+    let mut written = AtFrequencies::default();
+    pulp::Arch::new().dispatch(Writing { record, schur: &schur, into: &mut written });
+    Some(written)
+}
+
+/// The loop of [`at_frequencies`].
+struct Writing<'a> {
+    record: &'a RecordSpectrum,
+    schur: &'a SchurForm,
+    into: &'a mut AtFrequencies,
+}
+
+impl pulp::WithSimd for Writing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _simd: S) {
+        let Self { record, schur, into } = self;
+        let mut at = FrequencyBlock::new(schur);
+        for first in (0..record.frequencies()).step_by(WIDTH) {
+            at.load(record, schur, first);
+            at.evaluate(record, schur);
+            at.estimated_scalars(schur);
+            at.write_down(WIDTH.min(record.frequencies() - first), into);
+        }
+    }
 }
 
 /// The loop over frequencies, compiled once for each kind of vectors.

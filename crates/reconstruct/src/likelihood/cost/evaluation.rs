@@ -122,7 +122,14 @@ impl Problem {
         keep_spectrum: bool,
     ) -> Sums {
         let record_system = RecordSystem::new(system, record, &coefficients[record], variances);
-        accumulate(&self.spectra[record], &record_system, scalars, keep_spectrum, self.threads)
+        let spectrum = &self.spectra[record];
+        let sum = |spectrum: &RecordSpectrum| {
+            accumulate(spectrum, &record_system, scalars, keep_spectrum, self.threads)
+        };
+        match &spectrum.missing {
+            None => sum(spectrum),
+            Some(missing) => missing.sums(spectrum, &record_system, scalars, sum),
+        }
     }
 
     /// Evaluates the likelihood with what known signals explain at its best: once to find that, once around it.

@@ -1,5 +1,7 @@
 //! Everything that the sums need at one frequency, for eight frequencies at a time. The symbols are those of `accumulate.rs`.
 
+use num_complex::Complex;
+
 use super::schur_form::SchurForm;
 use super::simd::{Lanes, Real, WIDTH};
 use super::spectrum::RecordSpectrum;
@@ -40,6 +42,21 @@ pub(crate) struct FrequencyBlock {
     driven: Vec<Lanes>,
     /// X, U, f.
     scalars: Vec<Lanes>,
+}
+
+/// What [`FrequencyBlock::write_down`] writes, frequency after frequency.
+#[derive(Debug, Default)]
+pub(crate) struct AtFrequencies {
+    /// Phi, m x m, row by row.
+    pub(crate) projector: Vec<Complex<f64>>,
+    /// Phi e, m.
+    pub(crate) weighted_residual: Vec<Complex<f64>>,
+    /// Phi H, m x n, row by row.
+    pub(crate) projected_response: Vec<Complex<f64>>,
+    /// X, U, f.
+    pub(crate) scalars: Vec<Complex<f64>>,
+    /// Power of each sensor, where a part of it counts as model error.
+    pub(crate) power: Vec<f64>,
 }
 
 impl FrequencyBlock {
@@ -393,6 +410,19 @@ impl FrequencyBlock {
             for (a, scalar) in self.scalars.iter().enumerate() {
                 totals.descent[a * rows + i] += scalar.dot(slope);
             }
+        }
+    }
+
+    /// Writes down Phi, Phi e, Phi H, the scalars and the power of so many frequencies, for whoever needs more than their sums.
+    #[inline(always)]
+    pub(crate) fn write_down(&self, count: usize, into: &mut AtFrequencies) {
+        for lane in 0..count {
+            let complex = |all: &Lanes| Complex::new(all.re.0[lane], all.im.0[lane]);
+            into.projector.extend(self.phi.iter().map(complex));
+            into.weighted_residual.extend(self.pe.iter().map(complex));
+            into.projected_response.extend(self.phi_h.iter().map(complex));
+            into.scalars.extend(self.scalars.iter().map(complex));
+            into.power.extend(self.power.iter().map(|power| power.0[lane]));
         }
     }
 

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::likelihood::cost::missing::MissingSamples;
 use crate::likelihood::cost::noise::smoothed_power;
 use crate::likelihood::options::{FrequencyBand, Noise, Options};
 use crate::model::noise_spectrum::inverse_of_hermitian;
@@ -43,6 +44,8 @@ pub(crate) struct RecordSpectrum {
     pub(crate) offset_variance: Vec<f64>,
     /// Whether the first frequency is zero.
     pub(crate) starts_at_zero: bool,
+    /// Samples that are unknown, if there are any; `y` is that of some values in their places.
+    pub(crate) missing: Option<MissingSamples>,
 }
 
 impl RecordSpectrum {
@@ -65,6 +68,9 @@ impl RecordSpectrum {
             if let Some(power) = &mut rest.power {
                 power.drain(..m);
             }
+            if let Some(missing) = &mut rest.missing {
+                missing.frequencies.remove(0);
+            }
             rest.starts_at_zero = false;
         }
         rest
@@ -82,9 +88,10 @@ impl RecordSpectrum {
         variances[sensor] + offset + model_error
     }
 
-    /// Real residuals: (m - 1) for each real number of the transform.
+    /// Real residuals: (m - 1) for each real number of the transform, less one for each missing sample of a sensor.
     pub(crate) fn residuals(&self, sensors: usize) -> f64 {
-        self.weight.iter().sum::<f64>() * (sensors - 1) as f64
+        let missing = self.missing.as_ref().map_or(0, |missing| missing.cells.len());
+        self.weight.iter().sum::<f64>() * (sensors - 1) as f64 - missing as f64
     }
 }
 
@@ -167,6 +174,7 @@ pub(crate) fn transform(
         power,
         offset_variance,
         starts_at_zero,
+        missing: MissingSamples::new(record, kept, planner),
     })
 }
 

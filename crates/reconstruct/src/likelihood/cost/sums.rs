@@ -5,6 +5,7 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par};
 use nalgebra::DMatrix;
 
+use super::missing::Absorbed;
 use super::simd::{Lanes, Real, WIDTH};
 
 /// Frequencies summed by one matrix product.
@@ -31,6 +32,8 @@ pub(crate) struct Sums {
     pub(crate) states: Vec<f64>,
     /// Cost at each frequency, where asked for.
     pub(crate) spectrum: Option<Vec<f64>>,
+    /// What missing samples take of the Gram matrix.
+    pub(crate) absorbed: Option<Absorbed>,
 }
 
 impl Sums {
@@ -55,6 +58,7 @@ impl Sums {
             score: vec![0.0; levels],
             states: vec![0.0; n * n],
             spectrum: keep_spectrum.then(Vec::new),
+            absorbed: None,
         }
     }
 
@@ -84,7 +88,11 @@ impl Sums {
         // Both orders reversed conjugate both factors; one reversed, one of them.
         let sign = if (i <= k) == (a <= c) { -1.0 } else { 1.0 };
         let imaginary = if i == k || a == c { 0.0 } else { self.imaginary[(row, column)] };
-        self.real[(row, column)] + sign * imaginary
+        let entry = self.real[(row, column)] + sign * imaginary;
+        match &self.absorbed {
+            None => entry,
+            Some(absorbed) => entry - absorbed.of(a * self.rows + i, c * self.rows + k),
+        }
     }
 
     /// The Gram matrix of these cells.

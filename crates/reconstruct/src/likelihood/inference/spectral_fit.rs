@@ -7,6 +7,8 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::likelihood::cost::parameters::System;
+use crate::likelihood::cost::record_system::RecordSystem;
 use crate::likelihood::cost::spectrum::{Entry, RecordSpectrum, transform};
 use crate::likelihood::options::{Noise, Options};
 use crate::{ReconstructError, Record, SharedModel};
@@ -63,8 +65,9 @@ pub(crate) fn spectral_fit(
         levels.iter().copied().chain(model_error).map(|level| level.powi(2)).collect();
     let mut fits = Vec::with_capacity(records.len());
     for (index, record) in records.iter().enumerate() {
-        let spectrum = transform(record, index, &units, options, &mut planner)?;
+        let mut spectrum = transform(record, index, &units, options, &mut planner)?;
         let fitted = Fitted { model, record: index, variances: &variances, direct };
+        fill_missing(&mut spectrum, &fitted)?;
         fits.push(one(record, &spectrum, &fitted)?);
     }
     Ok(fits)
@@ -101,16 +104,7 @@ fn one(
 ) -> Result<SpectralFit, ReconstructError> {
     let sensors = fitted.model.c.nrows();
     let at = |k: usize| At::new(spectrum, k, fitted);
-    let unknowns = at(0)?.known.ncols();
-    let mut gram = DMatrix::<f64>::zeros(unknowns, unknowns);
-    let mut right = DMatrix::<f64>::zeros(unknowns, 1);
-    for k in 0..spectrum.frequencies() {
-        let at = at(k)?;
-        let weighted = at.project(&at.known).adjoint() * Complex::from(spectrum.weight[k]);
-        gram += (&weighted * &at.known).map(|entry| entry.re);
-        right += (&weighted * &at.measured).map(|entry| entry.re);
-    }
-    let coefficients = least_squares(&gram, &right).column(0).map(Complex::from);
+    let coefficients = coefficients(spectrum, fitted)?;
     let nothing = || SensorSpectrum {
         measured: Vec::new(),
         response: Vec::new(),
@@ -141,6 +135,61 @@ fn one(
         }
     }
     Ok(fit)
+}
+
+/// The coefficients of the known signals, t, in the columns of F.
+fn coefficients(
+    spectrum: &RecordSpectrum,
+    fitted: &Fitted<'_>,
+) -> Result<DVector<Complex<f64>>, ReconstructError> {
+    let at = |k: usize| At::new(spectrum, k, fitted);
+    let unknowns = at(0)?.known.ncols();
+    let mut gram = DMatrix::<f64>::zeros(unknowns, unknowns);
+    let mut right = DMatrix::<f64>::zeros(unknowns, 1);
+    for k in 0..spectrum.frequencies() {
+        let at = at(k)?;
+        let weighted = at.project(&at.known).adjoint() * Complex::from(spectrum.weight[k]);
+        gram += (&weighted * &at.known).map(|entry| entry.re);
+        right += (&weighted * &at.measured).map(|entry| entry.re);
+    }
+    Ok(least_squares(&gram, &right).column(0).map(Complex::from))
+}
+
+/// Puts the most likely values into the places of missing samples: in turns with the coefficients of the known signals, which hardly depend on them.
+pub(super) fn fill_missing(
+    spectrum: &mut RecordSpectrum,
+    fitted: &Fitted<'_>,
+) -> Result<(), ReconstructError> {
+    const TURNS: usize = 5;
+    let Some(missing) = spectrum.missing.clone() else { return Ok(()) };
+    let Fitted { model, record, variances, direct } = *fitted;
+    let (n, m) = (model.a.nrows(), model.c.nrows());
+    let feedthrough = model.feedthrough.as_ref().map(|all| all[record].clone());
+    let system = System {
+        a: model.a.clone(),
+        c: model.c.clone(),
+        b: vec![model.b[record].clone()],
+        d: vec![feedthrough.unwrap_or_else(|| DVector::zeros(m))],
+    };
+    for _ in 0..TURNS {
+        let found = coefficients(spectrum, fitted)?;
+        let mut found = found.iter().map(|coefficient| coefficient.re);
+        let mut spread = Vec::with_capacity(spectrum.entries.len());
+        for entry in &spectrum.entries {
+            let rows: Vec<usize> = match entry {
+                Entry::State => (0..n).collect(),
+                Entry::StateAndFeedthrough => (0..n).chain(direct.iter().map(|s| n + s)).collect(),
+                Entry::Sensors => (n..n + m).collect(),
+            };
+            let mut own = vec![0.0; n + m];
+            rows.into_iter().zip(&mut found).for_each(|(row, value)| own[row] = value);
+            spread.push(own);
+        }
+        let system = RecordSystem::new(&system, 0, &spread, variances);
+        let Some((filled, _)) = missing.filled(spectrum, &system) else { return Ok(()) };
+        spectrum.y = filled.y;
+    }
+    Ok(())
 }
 
 impl At {

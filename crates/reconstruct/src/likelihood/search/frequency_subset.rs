@@ -62,6 +62,8 @@ fn thin(spectrum: &RecordSpectrum) -> (RecordSpectrum, f64) {
         power: spectrum.power.as_ref().map(|_| Vec::with_capacity(wanted * m)),
         offset_variance: spectrum.offset_variance.clone(),
         starts_at_zero: spectrum.starts_at_zero,
+        // A first look takes interpolated samples for measured ones: fewer frequencies do not tell single samples apart.
+        missing: None,
     };
     for k in (0..lowest).chain(others) {
         let weight = if k < lowest { 1.0 } else { stands_for };

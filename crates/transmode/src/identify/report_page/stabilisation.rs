@@ -101,7 +101,8 @@ fn shortened(record: &Record) -> Option<Record> {
         let values = channel.values.iter().take(LARGEST_SAMPLES);
         Channel::new(channel.name.clone(), values.copied().collect())
     };
-    Record::new(record.name(), record.period(), record.channels().iter().map(cut).collect()).ok()
+    Record::with_missing(record.name(), record.period(), record.marked().iter().map(cut).collect())
+        .ok()
 }
 
 /// The modes of an intersection, a complex pair once; those without a frequency are left out.

@@ -19,6 +19,7 @@ fn frequencies(samples: usize) -> RecordSpectrum {
         power: None,
         offset_variance: Vec::new(),
         starts_at_zero: true,
+        missing: None,
     }
 }
 
