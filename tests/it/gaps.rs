@@ -35,7 +35,7 @@ fn with_losses(lines: &[String], seed: u64) -> (Vec<String>, usize) {
     let mut is_kept = || {
         state =
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) % 50 != 0
+        !(state >> 33).is_multiple_of(50)
     };
     // Lost rows at an end make a record shorter.
     let last = lines.len() - 1;

@@ -202,6 +202,16 @@ pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec
             doubts.push(Doubt::Unexplained { record, sensor, explained });
         }
     }
+    // Where no input moves, only free motion from the start of the record may be left.
+    for (record, own) in fit.records.iter().enumerate() {
+        let rests = parts.iter().all(|(moving, _)| *moving != record);
+        let all = own.explained.iter().copied().enumerate();
+        let best = all.max_by(|x, y| x.1.total_cmp(&y.1));
+        if let Some((sensor, explained)) = best.filter(|(_, part)| rests && *part < TOO_LITTLE) {
+            let (record, sensor) = name(record, sensor);
+            doubts.push(Doubt::Unexplained { record, sensor, explained });
+        }
+    }
     for (record, (own, spectrum)) in fit.records.iter().zip(context.spectra).enumerate() {
         let tied = tied_and_unexplained(&own.residuals, &own.measured, &spectrum.u);
         let worst = tied.into_iter().enumerate().max_by(|x, y| x.1.total_cmp(&y.1));
