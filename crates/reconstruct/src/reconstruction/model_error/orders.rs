@@ -156,9 +156,17 @@ fn explains_enough(fits: &[Fit], records: &[Record]) -> Option<usize> {
             .iter()
             .filter(|other| other.bayesian_criterion() < fit.bayesian_criterion());
         let best = higher.min_by(|x, y| x.bayesian_criterion().total_cmp(&y.bayesian_criterion()));
-        let stable = small && best.is_some_and(|best| keeps_modes(fit, best, slowest));
+        let stable = small
+            && best.is_some_and(|best| keeps_modes(fit, best, slowest) && keeps_levels(fit, best));
         (explains_all(fit) || stable).then_some(place)
     })
+}
+
+/// Whether no sensor is noisier than the other fit has it: a mode that is missing may hide in the noise.
+fn keeps_levels(fit: &Fit, other: &Fit) -> bool {
+    const NOISIER: f64 = 1.5;
+    let levels = fit.noise_levels.iter().flatten().zip(other.noise_levels.iter().flatten());
+    levels.into_iter().all(|(own, other)| own.value < NOISIER * other.value)
 }
 
 /// Whether each mode that a record can resolve, |s| above `slowest`, is where it is among those of the other fit, too.
