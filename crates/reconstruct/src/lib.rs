@@ -34,8 +34,8 @@ pub mod subspace;
 pub use error::ReconstructError;
 pub use model::{Channel, Measurement, NoiseModel, Offsets, Record, SharedModel, Trend};
 pub use reconstruction::{
-    ComparedOrder, Details, Doubt, Excitation, FoundMode, Method, Options, Reconstruction,
-    reconstruct, spectral_fits,
+    ComparedForm, ComparedOrder, Details, Doubt, Excitation, FoundMode, Method, Options,
+    Reconstruction, reconstruct, spectral_fits,
 };
 
 /// The README's example compiles.

@@ -29,13 +29,15 @@ pub(crate) mod cost;
 pub(crate) mod fixtures;
 mod identify;
 pub(crate) mod inference;
+mod lateral;
 mod options;
 mod search;
 mod validation;
 
-pub use crate::model::{AutoregressionOrder, NoiseSpectrum, VectorAutoregression};
+pub use crate::model::{AutoregressionOrder, Hold, NoiseSpectrum, VectorAutoregression};
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use identify::identify;
+pub use inference::derivatives::Derivative;
 pub use inference::doubt::Doubt;
 pub use inference::fit::{Contrast, Fit, Rival};
 pub use inference::fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilities};
@@ -47,7 +49,8 @@ pub use inference::profile_likelihood::profile_intervals;
 pub(crate) use inference::spectral_fit::spectral_fit;
 pub use inference::spectral_fit::{SensorSpectrum, SpectralFit};
 pub use inference::uncertainty::{ComplexEstimate, Ellipse, Estimate, Mode};
-pub use options::{FrequencyBand, Hold, InputDirections, Noise, Options, SearchOptions};
+pub use lateral::{identify_lateral, lateral_test};
+pub use options::{FrequencyBand, InputDirections, Noise, Options, SearchOptions};
 pub use search::levenberg_marquardt::SearchStatus;
 pub use search::report::{SearchReport, StartReport};
 

@@ -2,6 +2,8 @@
 //! share, and what is known about their noise. `matching.rs` pairs points of the complex plane for whoever compares two lists of them.
 
 mod gap_filling;
+mod hold;
+pub(crate) mod lateral_equations;
 pub(crate) mod matching;
 mod measurement;
 mod noise_model;
@@ -11,6 +13,7 @@ mod shared_model;
 pub(crate) mod triangle_hold;
 mod vector_autoregression;
 
+pub use hold::Hold;
 pub use measurement::{Measurement, Offsets, Trend};
 pub use noise_model::NoiseModel;
 pub use noise_spectrum::NoiseSpectrum;

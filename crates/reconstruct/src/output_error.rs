@@ -35,7 +35,6 @@ mod doubt;
 mod fit;
 mod identify;
 mod lag_test;
-mod lateral;
 mod model_error;
 mod observer;
 mod options;
@@ -46,8 +45,9 @@ mod search;
 mod simulation;
 mod spectra;
 
+pub use crate::likelihood::Derivative;
 pub use doubt::Doubt;
-pub use fit::{Compared, Derivative, Fit, RecordFit};
+pub use fit::{Compared, Fit, RecordFit};
 pub use identify::identify;
 pub use options::{Lag, Options, RecordedInputs, Structure};
 pub use simulation::{InputModel, Simulation, simulate};

@@ -1,6 +1,7 @@
 //! Which modes do these records show, and what is there to doubt? The one entry point to all methods.
 
 mod doubt;
+mod lateral;
 mod model_error;
 mod noise_choice;
 mod options;
@@ -15,7 +16,7 @@ use nalgebra::DMatrix;
 pub use doubt::Doubt;
 pub use options::{Excitation, Method, Options};
 
-pub use result::{ComparedOrder, Details, FoundMode, Reconstruction};
+pub use result::{ComparedForm, ComparedOrder, Details, FoundMode, Reconstruction};
 pub use spectra::spectral_fits;
 use starts::FirstStage;
 use white_noise::Fitted;
@@ -164,7 +165,9 @@ fn by_likelihood(
     records: &[Record],
     options: &Options,
 ) -> Result<Reconstruction, ReconstructError> {
-    let Fitted { stage, fit, doubts, compared } = noise_choice::fitted(records, options)?;
+    let found = noise_choice::fitted(records, options)?;
+    let (Fitted { stage, fit, doubts, compared }, compared_form) =
+        lateral::in_form(records, options, found)?;
     let FirstStage { intersection, order, .. } = stage;
     let intervals = if options.profile {
         profile_intervals(records, &fit)?
@@ -186,6 +189,7 @@ fn by_likelihood(
             order,
             fit: Box::new(fit),
             compared_orders: compared,
+            compared_form,
             offsets,
         },
     })

@@ -13,6 +13,7 @@
 
 pub(crate) mod chi_squared;
 pub(crate) mod conclusion;
+pub(crate) mod derivatives;
 pub(crate) mod doubt;
 pub(crate) mod fit;
 pub(crate) mod fitted_transmissibility;

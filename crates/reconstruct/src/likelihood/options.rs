@@ -1,7 +1,7 @@
 //! What the likelihood assumes about noise, hold and frequencies, and how far its search goes.
 
 use crate::Measurement;
-use crate::model::NoiseSpectrum;
+use crate::model::{Hold, NoiseSpectrum};
 
 /// The covariance of what the sensors read beside the response to the unknown excitation.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,16 +41,6 @@ pub enum InputDirections {
     Reestimated,
     /// As the start has them.
     AsStarted,
-}
-
-/// How the excitation moves between two samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Hold {
-    /// It stays what it was, as the output of a digital controller does.
-    ZeroOrder,
-    /// It moves on straight from sample to sample: close to anything that moves slowly beside the sampling, as a pilot's hand and a gust do.
-    FirstOrder,
 }
 
 /// Angular frequencies from `lowest_rad_s` to `highest_rad_s`, both included.

@@ -9,6 +9,7 @@ use super::fit::{Context, Fit, RecordFit};
 use super::lag_test::lags_left;
 use super::parametrisation::Form;
 use super::spectra::Spectrum;
+use crate::model::lateral_equations::contradiction;
 
 /// A reason not to trust the result.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,13 +109,11 @@ impl Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::StructureContradicted { order, evidence } => write!(
-                f,
-                "the lateral equations do not hold: a system of {order} states is e^{:.0} times as likely; an actuator, a damper or a filter may be part of the records, so leave \
-                 out --structure lateral",
+            Self::StructureContradicted { order, evidence } => f.write_str(&contradiction(&format!(
+                "a system of {order} states is e^{:.0} times as likely",
                 evidence / 2.0
-            ),
-            Self::Unexplained { record, sensor, explained } => write!(
+            ))),
+Self::Unexplained { record, sensor, explained } => write!(
                 f,
                 "the recorded inputs explain at most {:.0} % of the power of {sensor}, in {record}; something else moved the aircraft as well, or the inputs are not those of this record",
                 100.0 * explained.max(0.0)

@@ -9,25 +9,16 @@ use super::cells::Sizes;
 use super::coherence::coherence;
 use super::doubt::{Doubt, doubts};
 use super::identify::hold_of;
-use super::lateral::{LateralEquations, NAMES};
 use super::model_error::model_error;
 use super::options::{Lag, RecordedInputs};
 use super::parametrisation::Form;
 use super::spectra::Spectrum;
 use crate::likelihood::cost::noise::LEAST_MODEL_ERROR;
+use crate::likelihood::inference::derivatives::{self, Derivative};
 use crate::likelihood::inference::uncertainty::{ModelBias, modes};
 use crate::likelihood::{Estimate, FrequencyBand, Hold, Mode};
+use crate::model::lateral_equations::NAMES;
 use crate::{ReconstructError, Record};
-
-/// A derivative of the lateral equations.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Derivative {
-    /// Its name: L_beta, or L_aileron for a control.
-    pub name: String,
-    /// L and N: 1/s^2 by an angle, 1/s by a rate. Y and g/U: 1/s by an angle, 1 by a rate. tan(theta): 1.
-    pub estimate: Estimate,
-}
 
 /// Another form that was fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -188,29 +179,14 @@ fn derivatives(
     covariance: &DMatrix<f64>,
     model_error: f64,
 ) -> (Vec<Derivative>, DMatrix<f64>) {
-    /// A model that is wrong by eps has derivatives that are wrong by a few eps of their size.
-    const TIMES: f64 = 2.0;
-    let Form::Lateral(form) = &found.parametrisation.form else {
+    if !matches!(found.parametrisation.form, Form::Lateral(_)) {
         return (Vec::new(), DMatrix::zeros(0, 0));
-    };
+    }
     let mut names: Vec<String> = NAMES.iter().map(|&name| name.to_owned()).collect();
     for input in &inputs.names {
         names.extend(["Y", "L", "N"].map(|row| format!("{row}_{input}")));
     }
-    debug_assert_eq!(LateralEquations::control(0, 0), NAMES.len());
-    let scatter = |k: usize| covariance[(k, k)].max(0.0).sqrt();
-    let count = form.parameters();
-    let estimate = |(k, name): (usize, String)| {
-        let value = found.evaluation.parameters[k];
-        let standard_error = scatter(k).hypot(TIMES * model_error * value.abs());
-        Derivative { name, estimate: Estimate { value, standard_error } }
-    };
-    let all = names.into_iter().enumerate().map(estimate).collect();
-    let correlation = |i: usize, k: usize| {
-        let product = scatter(i) * scatter(k);
-        if product > 0.0 { covariance[(i, k)] / product } else { 0.0 }
-    };
-    (all, DMatrix::from_fn(count, count, correlation))
+    derivatives::derivatives(names, &found.evaluation.parameters, covariance, model_error)
 }
 
 /// The lags of sensors and inputs.

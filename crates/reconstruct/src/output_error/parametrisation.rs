@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::black_box::BlackBox;
 use super::cells::{Matrices, Sizes};
-use super::lateral::LateralEquations;
 use super::options::Lag;
+use crate::model::lateral_equations::{LateralEquations, Prior, STATES, Sampled};
 
 /// The form of the equations.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,14 +22,6 @@ pub(super) struct Parametrisation {
     pub(super) input_lags: Vec<Lag>,
 }
 
-/// Something known beforehand about one number: its deviation from what is expected, over the standard deviation of that, and the derivative by one parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Prior {
-    pub(super) deviation: f64,
-    pub(super) parameter: usize,
-    pub(super) slope: f64,
-}
-
 /// How large lags are expected to be, in s: records alone determine them weakly.
 const TYPICAL_LAG: f64 = 0.2;
 
@@ -44,7 +36,9 @@ impl Parametrisation {
     pub(super) fn sizes(&self) -> Sizes {
         match &self.form {
             Form::BlackBox(form) => form.sizes,
-            Form::Lateral(form) => form.sizes(),
+            Form::Lateral(form) => {
+                Sizes { states: STATES, sensors: form.reads.len(), inputs: form.inputs }
+            }
         }
     }
 
@@ -77,7 +71,7 @@ impl Parametrisation {
         let own = parameters.rows(0, self.of_form()).into_owned();
         let mut matrices = match &self.form {
             Form::BlackBox(form) => form.matrices(&own)?,
-            Form::Lateral(form) => form.matrices(&own)?,
+            Form::Lateral(form) => without_lags(form.sampled(&own)?),
         };
         let mut free = parameters.iter().skip(self.of_form());
         let mut value = |lag: &Lag| match lag {
@@ -116,4 +110,10 @@ impl Parametrisation {
         }));
         priors
     }
+}
+
+fn without_lags(sampled: Sampled) -> Matrices {
+    let Sampled { a, b, c, d } = sampled;
+    let (sensor_lags, input_lags) = (vec![0.0; c.nrows()], vec![0.0; b.ncols()]);
+    Matrices { a, b, c, d, sensor_lags, input_lags }
 }

@@ -7,7 +7,6 @@
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 
-use super::lateral::{G_OVER_U, LateralEquations};
 use super::spectra::Spectrum;
 
 /// The parameters of the equations, from the frequencies up to `highest` in rad/s; `None` where they do not determine them.
@@ -105,3 +104,4 @@ impl Rows {
         Some(DVector::from_fn(columns, unscaled))
     }
 }
+use crate::model::lateral_equations::{G_OVER_U, LateralEquations};

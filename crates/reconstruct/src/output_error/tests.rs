@@ -9,10 +9,10 @@ use lti::SamplePeriod;
 use nalgebra::DVector;
 use num_complex::Complex;
 
-use super::lateral::LateralEquations;
 use super::*;
 use crate::likelihood::fixtures::Normal;
 use crate::likelihood::{Hold, Mode};
+use crate::model::lateral_equations::LateralEquations;
 use crate::{Channel, Record};
 
 const PERIOD: f64 = 0.05;
@@ -62,7 +62,7 @@ pub(super) const BOTH: Flown = Flown {
 /// A flight with inputs that stay what they are for eight samples, and the record of it.
 pub(super) fn fly(flown: &Flown, normal: &mut Normal) -> (Record, Vec<Vec<f64>>) {
     let parameters = DVector::from_column_slice(&DERIVATIVES);
-    let matrices = equations(Hold::ZeroOrder).matrices(&parameters).unwrap();
+    let matrices = equations(Hold::ZeroOrder).sampled(&parameters).unwrap();
     let (a, b) = (matrices.a, matrices.b);
     let mut state = DVector::zeros(4);
     let (mut signals, mut sensors) = (vec![Vec::new(); 2], vec![Vec::new(); 3]);

@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use crate::likelihood::{Fit, Mode};
+use crate::model::lateral_equations::contradiction;
 use crate::model::record::deviation;
 use crate::subspace::{Intersection, NoiseOrigin};
 use crate::{NoiseModel, Record, likelihood, output_error, paper, subspace};
@@ -19,6 +20,13 @@ pub enum Doubt {
     Likelihood(likelihood::Doubt),
     /// A doubt of output error with recorded inputs.
     OutputError(output_error::Doubt),
+    /// The lateral equations that were asked for are rejected against a system of so many states.
+    StructureContradicted {
+        /// The number of its states.
+        order: usize,
+        /// The probability that records which obey the equations look like that.
+        p_value: f64,
+    },
     /// The likelihood needs far more noise of a sensor than the signal subspaces show.
     LevelsDisagree {
         /// The sensor.
@@ -39,6 +47,7 @@ impl Doubt {
             Self::Subspace(doubt) => doubt.code(),
             Self::Likelihood(doubt) => doubt.code(),
             Self::OutputError(doubt) => doubt.code(),
+            Self::StructureContradicted { .. } => "structure-contradicted",
             Self::LevelsDisagree { .. } => "levels-disagree",
         }
     }
@@ -51,6 +60,10 @@ impl std::fmt::Display for Doubt {
             Self::Subspace(doubt) => doubt.fmt(f),
             Self::Likelihood(doubt) => doubt.fmt(f),
             Self::OutputError(doubt) => doubt.fmt(f),
+            Self::StructureContradicted { order, p_value } => f.write_str(&contradiction(&format!(
+                "a likelihood-ratio test against a system of {order} states rejects them (p = {p_value:.0e})"
+            ))),
+
             Self::LevelsDisagree { sensor, subspace, likelihood } => write!(
                 f,
                 "sensor {sensor}: one excitation for each record leaves noise of {likelihood:.2e}, the signal subspaces show {subspace:.2e}: \

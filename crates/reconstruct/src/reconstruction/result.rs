@@ -36,6 +36,20 @@ pub struct ComparedOrder {
     pub above: f64,
 }
 
+/// The form of the equations that was not used: the lateral equations, or a system in which all entries of the matrices are free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ComparedForm {
+    /// The number of its states.
+    pub order: usize,
+    /// Whether it is the lateral equations.
+    pub is_lateral: bool,
+    /// What its [`Fit::bayesian_criterion`] lies above that of the form used.
+    pub above: f64,
+    /// The probability that records which obey the lateral equations gain as much where all entries are free, see [`lateral_test`](crate::likelihood::lateral_test).
+    pub p_value: f64,
+}
+
 /// What several records say about the system they come from.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -71,6 +85,8 @@ pub enum Details {
         fit: Box<Fit>,
         /// Orders that the gaps left open, and that were compared by their likelihoods.
         compared_orders: Vec<ComparedOrder>,
+        /// The other form of the equations, where both were fitted.
+        compared_form: Option<ComparedForm>,
         /// The constant that each sensor adds to its readings, in its unit, see [`offset_estimates`](likelihood::offset_estimates); empty where offsets are not
         /// free.
         offsets: Vec<Estimate>,
@@ -145,6 +161,15 @@ impl Reconstruction {
         match &self.details {
             Details::MaximumLikelihood { compared_orders, .. } => compared_orders,
             _ => &[],
+        }
+    }
+
+    /// The form of the equations that was not used, where both were fitted; from the likelihood alone.
+    #[must_use]
+    pub fn compared_form(&self) -> Option<ComparedForm> {
+        match self.details {
+            Details::MaximumLikelihood { compared_form, .. } => compared_form,
+            _ => None,
         }
     }
 

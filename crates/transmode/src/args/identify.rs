@@ -79,9 +79,9 @@ pub(crate) struct IdentifyArgs {
     #[arg(long, value_enum, value_name = "yes|no|auto", requires = "inputs")]
     pub(crate) unknown_excitation: Option<ExcitationAsked>,
 
-    /// The form of the equations, with --inputs: a black box of so many states, or the lateral equations with their derivatives
-    /// [default: auto, what is more likely].
-    #[arg(long, value_enum, value_name = "FORM", requires = "inputs")]
+    /// The form of the equations: a system with all entries of its matrices free, or the lateral equations of an aircraft with their derivatives, for sensors
+    /// beta, p, r and phi [default: auto, what is more likely].
+    #[arg(long, value_enum, value_name = "FORM")]
     pub(crate) structure: Option<StructureAsked>,
 
     /// A sensor or an input that is late, with --inputs: by so many seconds, or by a lag that is estimated. May be given several times.

@@ -183,7 +183,6 @@ pub(super) fn excitation(args: &IdentifyArgs) -> Excitation {
 /// An option that has a meaning only where the recorded inputs are all there was.
 fn needs_inputs_alone(args: &IdentifyArgs) -> Option<&'static str> {
     let given = [
-        ("--structure", args.structure.is_some()),
         ("--lag", !args.lag.is_empty()),
         ("--validate", !args.validate.is_empty()),
         ("--aircraft", args.aircraft.is_some()),

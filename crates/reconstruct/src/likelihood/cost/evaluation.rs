@@ -6,18 +6,23 @@ use realfft::RealFftPlanner;
 
 use super::accumulate::{SHARE, Scalars, accumulate};
 use super::first_order_hold::FirstOrder;
+use super::lateral::LateralParameters;
 use super::noise::floors;
 use super::parameters::{Layout, System};
 use super::record_system::RecordSystem;
 use super::spectrum::{Entry, RecordSpectrum, transform};
 use super::sums::Sums;
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
+use crate::model::Hold;
+use crate::model::lateral_equations::Prior;
 use crate::{ReconstructError, Record};
 
 /// The records as the fit sees them.
 #[derive(Debug)]
 pub(crate) struct Problem {
     pub(crate) layout: Layout,
+    /// What is free where the entries of the matrices are not.
+    pub(crate) lateral: Option<LateralParameters>,
     pub(crate) spectra: Vec<RecordSpectrum>,
     /// How many threads sum.
     pub(crate) threads: usize,
@@ -54,6 +59,8 @@ pub(crate) struct Evaluation {
     pub(crate) system: System,
     pub(crate) coefficients: Coefficients,
     eliminated: Vec<Eliminated>,
+    /// The derivatives of the entries by the parameters, where these are not the entries.
+    pub(crate) tangent: Option<DMatrix<f64>>,
     /// The cost with the best coefficients.
     pub(crate) cost: f64,
     /// Its part from each record.
@@ -87,13 +94,13 @@ impl Problem {
             .map(|(index, record)| transform(record, index, units, options, &mut planner))
             .collect::<Result<_, _>>()?;
         let floors = floors(records, units, options);
-        Ok(Self { layout, spectra, threads: options.threads, floors })
+        Ok(Self { layout, lateral: None, spectra, threads: options.threads, floors })
     }
 
     /// The same without some of the data.
     pub(crate) fn with_spectra(&self, spectra: Vec<RecordSpectrum>) -> Self {
-        let (layout, floors) = (self.layout.clone(), self.floors.clone());
-        Self { layout, spectra, threads: self.threads, floors }
+        let (layout, lateral) = (self.layout.clone(), self.lateral.clone());
+        Self { layout, lateral, spectra, threads: self.threads, floors: self.floors.clone() }
     }
 
     /// How searches share the threads. Where a record is so long that its sums are shared, one search has them all.
@@ -150,7 +157,7 @@ impl Problem {
 
     /// Evaluates the same system around its best coefficients.
     pub(crate) fn evaluate_again(&self, evaluation: Evaluation, variances: &[f64]) -> Evaluation {
-        let still = DVector::zeros(self.layout.parameters());
+        let still = DVector::zeros(evaluation.descent.len());
         let coefficients = evaluation.coefficients_after(&still, &self.layout);
         self.evaluate_around(evaluation.system, coefficients, variances)
     }
@@ -171,6 +178,7 @@ impl Problem {
         let hold = self.tie(&mut system);
         let mut result = Evaluation {
             eliminated: Vec::with_capacity(layout.records),
+            tangent: None,
             // Without the hold's matrix there is no cost: NaN is never below anything.
             cost: if hold.is_none() && layout.hold == Hold::FirstOrder { f64::NAN } else { 0.0 },
             record_costs: Vec::with_capacity(layout.records),
@@ -220,7 +228,41 @@ impl Problem {
             result.states += DMatrix::from_row_slice(n, n, &sums.states);
             result.eliminated.push(eliminated);
         }
+        if let Some(lateral) = &self.lateral {
+            in_derivatives(lateral, &mut result);
+        }
         result
+    }
+
+    /// Directions that the records can determine.
+    pub(crate) fn identifiable(&self) -> usize {
+        self.lateral.as_ref().map_or_else(|| self.layout.identifiable(), LateralParameters::count)
+    }
+
+    /// How many parameters rest on what is known beforehand rather than on the records.
+    pub(crate) fn known_beforehand(&self, system: &System, covariance: &DMatrix<f64>) -> f64 {
+        let (Some(lateral), Some(own)) = (&self.lateral, &system.derivatives) else { return 0.0 };
+        let share = |prior: Prior| {
+            prior.slope * prior.slope * covariance[(prior.parameter, prior.parameter)]
+        };
+        lateral.priors(own).into_iter().map(share).sum()
+    }
+
+    /// The system after a step in the parameters; `None` where there is none.
+    pub(crate) fn moved(&self, system: &System, step: &DVector<f64>) -> Option<System> {
+        let moved = match (&self.lateral, &system.derivatives) {
+            (Some(lateral), Some(derivatives)) => lateral.system(derivatives + step)?,
+            _ => system.moved(step, &self.layout),
+        };
+        moved.is_finite().then_some(moved)
+    }
+
+    /// The tangents of changes that leave the likelihood as it is, one a column; derivatives have none.
+    pub(crate) fn invariant_tangents(&self, system: &System) -> DMatrix<f64> {
+        match &self.lateral {
+            Some(lateral) => DMatrix::zeros(lateral.count(), 0),
+            None => system.invariant_tangents(&self.layout),
+        }
     }
 
     /// Sets what the hold says of d_j; `None` where it says nothing.
@@ -342,6 +384,8 @@ impl Evaluation {
     /// The best coefficients after a step in the parameters, to first order; the best ones here for a step of zero.
     pub(crate) fn coefficients_after(&self, step: &DVector<f64>, layout: &Layout) -> Coefficients {
         let mut moved = self.coefficients.clone();
+        let of_entries = self.tangent.as_ref().map(|tangent| tangent * step);
+        let step = of_entries.as_ref().unwrap_or(step);
         let locals = layout.shared() + layout.per_record();
         for (record, eliminated) in self.eliminated.iter().enumerate() {
             let local = DVector::from_fn(locals, |k, _| step[layout.global(k, record)]);
@@ -352,6 +396,23 @@ impl Evaluation {
         }
         moved
     }
+}
+
+/// Cost, gradient and Gram matrix by the derivatives, with what is known of these beforehand.
+fn in_derivatives(lateral: &LateralParameters, evaluation: &mut Evaluation) {
+    let Some(tangent) = lateral.tangent(&evaluation.system) else {
+        evaluation.cost = f64::NAN;
+        return;
+    };
+    evaluation.gram = tangent.tr_mul(&(&evaluation.gram * &tangent));
+    evaluation.descent = tangent.tr_mul(&evaluation.descent);
+    for prior in evaluation.system.derivatives.iter().flat_map(|own| lateral.priors(own)) {
+        let Prior { deviation, parameter, slope } = prior;
+        evaluation.cost += deviation * deviation;
+        evaluation.gram[(parameter, parameter)] += slope * slope;
+        evaluation.descent[parameter] -= slope * deviation;
+    }
+    evaluation.tangent = Some(tangent);
 }
 
 /// An orthonormal basis of what is orthogonal to a vector, one direction a column: the columns of a Householder reflection but the first.

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::parameters::{Layout, System};
-use crate::likelihood::options::Hold;
+use crate::model::Hold;
 use crate::model::triangle_hold::TriangleHold;
 
 /// d_j of the sensors whose entries are not free.

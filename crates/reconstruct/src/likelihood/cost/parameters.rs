@@ -4,7 +4,7 @@ use lti::SamplePeriod;
 use nalgebra::{DMatrix, DVector};
 
 use crate::SharedModel;
-use crate::likelihood::options::Hold;
+use crate::model::Hold;
 
 /// A, C, and for each record b_j and d_j, in scaled sensors.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub(crate) struct System {
     pub(crate) b: Vec<DVector<f64>>,
     /// m entries each; those that are not free are zero, or what the hold makes them (see `first_order_hold.rs`).
     pub(crate) d: Vec<DVector<f64>>,
+    /// The parameters that it was made of, where these are not its entries (see `lateral.rs`).
+    pub(crate) derivatives: Option<DVector<f64>>,
 }
 
 /// The order of the parameters: A by columns, C by columns, then for each record b_j and those entries of d_j that are free.
@@ -129,7 +131,7 @@ impl System {
             }
             d
         });
-        Self { a: model.a.clone(), c, b: model.b.clone(), d: d.collect() }
+        Self { a: model.a.clone(), c, b: model.b.clone(), d: d.collect(), derivatives: None }
     }
 
     /// The model in the sensors' own units.
@@ -220,6 +222,7 @@ impl System {
             c: &self.c * t,
             b: self.b.iter().map(|b| inverse * b).collect(),
             d: self.d.clone(),
+            derivatives: None,
         }
     }
 

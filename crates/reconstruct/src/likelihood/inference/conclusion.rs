@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use lti::SamplePeriod;
 use nalgebra::{DMatrix, DVector};
 
+use super::derivatives::derivatives;
 use super::fit::{Contrast, Fit, Rival};
 use super::goodness_of_fit::{self, ChiSquared};
 use super::offset_test::offset_test;
@@ -17,6 +18,7 @@ use crate::likelihood::options::{Noise, Options};
 use crate::likelihood::search::hold_selection::PRICE;
 use crate::likelihood::search::local_search::LocalOptimum;
 use crate::likelihood::search::multistart::Found;
+use crate::model::lateral_equations::NAMES;
 use crate::{Offsets, ReconstructError, Record};
 
 pub(crate) fn conclude(
@@ -32,7 +34,8 @@ pub(crate) fn conclude(
     let Found { optimum, best_start, reports, rivals, restarts } = found;
     let LocalOptimum { mut evaluation, mut variances, search, objective, direction_replaced: _ } =
         optimum;
-    let parameters = (layout.identifiable() + evaluation.nuisance_rank) as f64;
+    let identifiable = problem.identifiable();
+    let parameters = (identifiable + evaluation.nuisance_rank) as f64;
     let criterion = objective + PRICE * parameters;
     let degrees_of_freedom = (residuals - parameters).max(1.0);
     if estimated {
@@ -44,7 +47,9 @@ pub(crate) fn conclude(
             });
         }
     }
-    evaluation.system = evaluation.system.normalised();
+    if problem.lateral.is_none() {
+        evaluation.system = evaluation.system.normalised();
+    }
     evaluation = problem.evaluate_again(evaluation, &variances);
     let mut noise_part = DMatrix::zeros(layout.parameters(), layout.parameters());
     let cells = layout.local_cells();
@@ -74,7 +79,20 @@ pub(crate) fn conclude(
     } else {
         None
     };
-    let parameters = uncertainty::covariance(&evaluation, &noise_part, layout);
+    let invariants = problem.invariant_tangents(&evaluation.system);
+    let of_parameters = match &evaluation.tangent {
+        None => uncertainty::covariance(&evaluation.gram, &noise_part, &invariants),
+        Some(tangent) => {
+            let noise_part = tangent.tr_mul(&(noise_part * tangent));
+            uncertainty::covariance(&evaluation.gram, &noise_part, &invariants)
+        }
+    };
+    let determined = of_parameters.determined;
+    let known_beforehand = problem.known_beforehand(&evaluation.system, &of_parameters.matrix);
+    let of_entries = match &evaluation.tangent {
+        None => of_parameters.matrix.clone(),
+        Some(tangent) => tangent * &of_parameters.matrix * tangent.transpose(),
+    };
     let period = records[0].period();
     let n = layout.order;
     let longest = records.iter().map(Record::samples).max().unwrap_or(1) as f64;
@@ -82,7 +100,7 @@ pub(crate) fn conclude(
         model_error: variances.get(layout.sensors).map_or(0.0, |square| square.sqrt()),
         resolution: TAU / (longest * period.seconds()),
     };
-    let states = parameters.matrix.view((0, 0), (n * n, n * n)).into_owned();
+    let states = of_entries.view((0, 0), (n * n, n * n)).into_owned();
     let modes =
         uncertainty::modes(&evaluation.system.a, period, &states, bias).map_err(|error| {
             ReconstructError::Step {
@@ -93,6 +111,15 @@ pub(crate) fn conclude(
     let noise_levels = match options.noise {
         Noise::Spectra(_) => None,
         _ => Some(uncertainty::noise_levels(&evaluation, &variances, units, estimated)),
+    };
+    let (derivatives, correlations) = match &evaluation.system.derivatives {
+        Some(own) => derivatives(
+            NAMES.iter().map(|&name| name.to_owned()).collect(),
+            own,
+            &of_parameters.matrix,
+            bias.model_error,
+        ),
+        None => (Vec::new(), DMatrix::zeros(0, 0)),
     };
     let model_error = uncertainty::model_error(&evaluation, &variances, layout.sensors);
     let record_chi_squared = evaluation
@@ -106,8 +133,8 @@ pub(crate) fn conclude(
     // The reported model has an entry of d_j for each sensor that has one, free or not.
     let untied = layout.untied();
     let covariance = match &hold {
-        Some(hold) => with_tied(&parameters.matrix, hold, &evaluation.system, layout),
-        None => parameters.matrix,
+        Some(hold) => with_tied(&of_entries, hold, &evaluation.system, layout),
+        None => of_entries,
     };
     Ok(Fit {
         covariance: in_sensor_units(&covariance, units, &untied),
@@ -117,9 +144,13 @@ pub(crate) fn conclude(
         hold: layout.hold,
         hold_evidence,
         criterion,
-        parameters: layout.identifiable() + evaluation.nuisance_rank,
-        determined: parameters.determined,
-        identifiable: layout.identifiable(),
+        parameters: identifiable + evaluation.nuisance_rank,
+        determined,
+        identifiable,
+        derivatives,
+        correlations,
+        lateral: evaluation.system.derivatives.clone(),
+        known_beforehand,
         noise_levels,
         model_error,
         chi_squared: ChiSquared::new(evaluation.cost, degrees_of_freedom, estimated),

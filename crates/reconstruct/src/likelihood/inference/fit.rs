@@ -1,16 +1,18 @@
 //! The result: the system, how certain it is, and how the search went.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 
+use super::derivatives::Derivative;
 use super::goodness_of_fit::{ChiSquared, Whiteness};
 use super::offset_test::OffsetTest;
 use super::uncertainty::{Estimate, Mode};
 use crate::SharedModel;
 use crate::likelihood::cost::noise::LEAST_MODEL_ERROR;
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
 use crate::likelihood::search::hold_selection::PRICE;
 use crate::likelihood::search::report::{SearchReport, StartReport};
+use crate::model::Hold;
 
 /// What the likelihood says about several records.
 #[derive(Clone, Debug)]
@@ -42,6 +44,14 @@ pub struct Fit {
     pub determined: usize,
     /// Directions that can be identified where the records excite everything: n J + m n - J, and one more for each free entry of d_j.
     pub identifiable: usize,
+    /// The derivatives of the lateral equations, see [`identify_lateral`](crate::likelihood::identify_lateral); empty where all entries of the matrices are free.
+    pub derivatives: Vec<Derivative>,
+    /// The correlations of their estimates.
+    pub correlations: DMatrix<f64>,
+    /// All that was free instead of the entries of the matrices, see `cost/lateral.rs`.
+    pub(crate) lateral: Option<DVector<f64>>,
+    /// How many of these numbers rest on what is known beforehand rather than on the records.
+    pub(crate) known_beforehand: f64,
     /// Standard deviations of the noise in the sensors' units; `None` where the noise has a spectrum.
     pub noise_levels: Option<Vec<Estimate>>,
     /// The relative model error eps of [`Noise::ModelError`](crate::likelihood::Noise::ModelError); `None` for other noise.
@@ -81,6 +91,11 @@ impl Fit {
     pub(crate) fn variances(&self) -> Vec<f64> {
         let levels = self.noise_levels.iter().flatten().chain(&self.model_error);
         levels.map(|level| level.value * level.value).collect()
+    }
+
+    /// Minus twice the logarithm of the likelihood, up to the constant of the criteria.
+    pub(crate) fn objective(&self) -> f64 {
+        self.criterion - PRICE * self.parameters as f64
     }
 
     /// The criterion with the logarithm of the number of residuals for each number that was fitted instead of 2: Schwarz's, which prefers fewer states.

@@ -2,8 +2,9 @@
 
 use super::fit::Fit;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
+use crate::likelihood::cost::lateral::LateralParameters;
 use crate::likelihood::cost::noise::sensor_units;
-use crate::likelihood::cost::parameters::System;
+use crate::likelihood::cost::parameters::{Layout, System};
 use crate::likelihood::options::{Noise, Options};
 use crate::likelihood::validation;
 use crate::{ReconstructError, Record};
@@ -32,8 +33,14 @@ pub(crate) fn refit_with(
 ) -> Result<Refit, ReconstructError> {
     let layout = validation::check(records, std::slice::from_ref(&fit.model), known)?;
     let units = sensor_units(records, known);
-    let problem = Problem::new(layout, records, &units, known)?;
-    let system = System::scaled(&fit.model, &units, &problem.layout);
+    let mut problem = Problem::new(layout, records, &units, known)?;
+    let mut system = System::scaled(&fit.model, &units, &problem.layout);
+    if let Some(derivatives) = &fit.lateral {
+        let period = fit.model.period.seconds();
+        problem.lateral = lateral(records, &units, &problem.layout, period);
+        let own = problem.lateral.as_ref().and_then(|own| own.system(derivatives.clone()));
+        system = own.unwrap_or(system);
+    }
     let mut variances = vec![1.0; units.len()];
     variances.extend(model_error.map(|error| error * error));
     let evaluation = problem.evaluate(system, &variances);
@@ -51,4 +58,16 @@ fn with_known_noise(fit: &Fit) -> Options {
         Noise::Given(_) | Noise::Spectra(_) => {}
     }
     known
+}
+
+/// The lateral equations of these records; `None` where their sensors are others.
+pub(crate) fn lateral(
+    records: &[Record],
+    units: &[f64],
+    layout: &Layout,
+    period: f64,
+) -> Option<LateralParameters> {
+    let names: Vec<&str> =
+        records[0].channels().iter().map(|channel| channel.name.as_str()).collect();
+    LateralParameters::new(&names, units, layout, period)
 }

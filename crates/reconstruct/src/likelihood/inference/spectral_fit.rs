@@ -170,6 +170,7 @@ pub(super) fn fill_missing(
         c: model.c.clone(),
         b: vec![model.b[record].clone()],
         d: vec![feedthrough.unwrap_or_else(|| DVector::zeros(m))],
+        derivatives: None,
     };
     for _ in 0..TURNS {
         let found = coefficients(spectrum, fitted)?;

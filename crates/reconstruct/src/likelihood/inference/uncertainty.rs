@@ -5,12 +5,11 @@ use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use num_complex::Complex;
 
 use crate::likelihood::cost::evaluation::Evaluation;
-use crate::likelihood::cost::parameters::Layout;
 
 /// The covariance of the parameters, on the directions that the data can determine.
 #[derive(Clone, Debug)]
 pub(crate) struct ParameterCovariance {
-    /// Order as in [`Layout`]; zero along changes of basis and scale, in scaled sensors.
+    /// In the order of the Gram matrix; zero along the changes that leave the likelihood as it is.
     pub(crate) matrix: DMatrix<f64>,
     /// Directions that the data do determine.
     pub(crate) determined: usize,
@@ -23,15 +22,15 @@ const RANK_TOLERANCE: f64 = 1e-13;
 ///
 /// The excitation is one unknown per frequency, so that the estimate's noise enters the Gram matrix: S is the variance of the gradient,
 /// but the curvature of the likelihood is H on average. At signal to noise ratios above 30 the two hardly differ.
+///
+/// `invariants` are the changes that leave the likelihood as it is, one a column.
 pub(crate) fn covariance(
-    evaluation: &Evaluation,
+    gram: &DMatrix<f64>,
     noise_part: &DMatrix<f64>,
-    layout: &Layout,
+    invariants: &DMatrix<f64>,
 ) -> ParameterCovariance {
-    let gram = &evaluation.gram;
     let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
-    let tangents = evaluation.system.invariant_tangents(layout);
-    let basis = complement(&scaled_rows(&tangents, &scale.map(|entry| 1.0 / entry)));
+    let basis = complement(&scaled_rows(invariants, &scale.map(|entry| 1.0 / entry)));
     let reduced = |matrix: &DMatrix<f64>| {
         let unit = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, k| {
             matrix[(i, k)] * scale[i] * scale[k]
@@ -52,9 +51,13 @@ pub(crate) fn covariance(
     let full = scaled_rows(&basis, &scale);
     let full = &full * middle * full.transpose();
     // The part along changes of basis depends on the scale; without it the covariance belongs to the basis alone.
-    let q = tangents.qr().q();
-    let project = |matrix: DMatrix<f64>| &matrix - &q * (q.transpose() * &matrix);
-    let matrix = project(project(full).transpose());
+    let matrix = if invariants.ncols() > 0 {
+        let q = invariants.clone().qr().q();
+        let project = |matrix: DMatrix<f64>| &matrix - &q * (q.transpose() * &matrix);
+        project(project(full).transpose())
+    } else {
+        full
+    };
     ParameterCovariance { matrix: 0.5 * (&matrix + matrix.transpose()), determined }
 }
 
@@ -66,6 +69,9 @@ fn scaled_rows(matrix: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
 fn complement(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let (rows, count) = columns.shape();
     let mut transposed = DMatrix::identity(rows, rows);
+    if count == 0 {
+        return transposed;
+    }
     columns.clone().qr().q_tr_mul(&mut transposed);
     transposed.rows(count, rows - count).transpose()
 }

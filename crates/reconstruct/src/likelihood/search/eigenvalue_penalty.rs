@@ -22,12 +22,14 @@ impl EigenvaluePenalty {
         };
         let off = z - self.eigenvalue;
         evaluation.cost += self.weight * off * off;
-        let n = slope.nrows();
-        // A is first among the parameters, by columns.
-        let slope = DVector::from_column_slice(slope.as_slice());
-        for i in 0..n * n {
+        // A is first among the entries, by columns.
+        let mut slope = DVector::from_column_slice(slope.as_slice());
+        if let Some(tangent) = &evaluation.tangent {
+            slope = tangent.rows(0, slope.len()).tr_mul(&slope);
+        }
+        for i in 0..slope.len() {
             evaluation.descent[i] -= self.weight * off * slope[i];
-            for k in 0..n * n {
+            for k in 0..slope.len() {
                 evaluation.gram[(i, k)] += self.weight * slope[i] * slope[k];
             }
         }

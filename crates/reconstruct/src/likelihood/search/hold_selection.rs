@@ -5,7 +5,8 @@ use super::local_search::{LocalOptimum, optimise};
 use super::multistart::{Found, RIVAL, search};
 use crate::SharedModel;
 use crate::likelihood::cost::evaluation::Problem;
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
+use crate::model::Hold;
 
 /// A first-order hold whose objective is lower by this much (a likelihood ratio of e^3) is searched from all starts.
 const DECISIVE: f64 = 6.0;

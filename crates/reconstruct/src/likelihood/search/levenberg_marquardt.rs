@@ -11,7 +11,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::eigenvalue_penalty::EigenvaluePenalty;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
-use crate::likelihood::cost::parameters::{Layout, System};
 
 /// How a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,13 +80,13 @@ pub(crate) fn minimise(
         remaining_step: f64::INFINITY,
     };
     let mut damping = FIRST_DAMPING;
-    let parameters = problem.layout.parameters();
+    let parameters = search.evaluation.descent.len();
     let mut missed = DMatrix::zeros(parameters, parameters);
     loop {
-        let mut scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
+        let mut scaled = Scaled::new(&search.evaluation, &missed, problem);
         if scaled.step(LEAST_DAMPING).is_none() {
             missed.fill(0.0);
-            scaled = Scaled::new(&search.evaluation, &missed, &problem.layout);
+            scaled = Scaled::new(&search.evaluation, &missed, problem);
         }
         let variance = (search.evaluation.cost / limits.degrees_of_freedom).max(f64::MIN_POSITIVE);
         // What the cost would fall by, were it quadratic.
@@ -174,9 +173,8 @@ fn lower(
             *damping = (*damping * 10.0).max(LEAST_DAMPING);
             continue;
         };
-        let system: System = here.system.moved(&step, &problem.layout);
         let predicted = 2.0 * step.dot(&here.descent) - step.dot(&(&scaled.curvature * &step));
-        if system.is_finite() {
+        if let Some(system) = problem.moved(&here.system, &step) {
             let coefficients = here.coefficients_after(&step, &problem.layout);
             let trial = penalised(problem.evaluate_around(system, coefficients, variances), limits);
             evaluations += 1;
@@ -206,15 +204,17 @@ struct Scaled {
 }
 
 impl Scaled {
-    fn new(evaluation: &Evaluation, missed: &DMatrix<f64>, layout: &Layout) -> Self {
+    fn new(evaluation: &Evaluation, missed: &DMatrix<f64>, problem: &Problem) -> Self {
         let gram = &evaluation.gram;
         let inverse_scale =
             gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 1.0 });
-        let mut tangents = evaluation.system.invariant_tangents(layout);
-        for (mut row, inverse) in tangents.row_iter_mut().zip(inverse_scale.iter()) {
+        let mut q = problem.invariant_tangents(&evaluation.system);
+        for (mut row, inverse) in q.row_iter_mut().zip(inverse_scale.iter()) {
             row /= *inverse;
         }
-        let q = tangents.qr().q();
+        if q.ncols() > 0 {
+            q = q.qr().q();
+        }
         let curvature = gram + missed;
         let unit = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, k| {
             curvature[(i, k)] * inverse_scale[i] * inverse_scale[k]

@@ -102,7 +102,7 @@ pub(crate) fn optimise(
         remaining_step: f64::INFINITY,
     };
     loop {
-        let parameters = (problem.layout.identifiable() + evaluation.nuisance_rank) as f64;
+        let parameters = (problem.identifiable() + evaluation.nuisance_rank) as f64;
         let limits = Limits {
             steps: options.search.max_steps,
             step_tolerance: options.search.step_tolerance,

@@ -16,6 +16,7 @@ const NAMED: usize = 4;
 pub(super) fn summary(outcome: &Outcome<'_>) -> String {
     let lines = [
         order(outcome),
+        form(outcome),
         intervals(outcome),
         noise(outcome),
         model_error(outcome),
@@ -46,6 +47,31 @@ fn order(outcome: &Outcome<'_>) -> Option<String> {
         ratios.insert_str(0, ", and ");
     }
     Some(format!("order: {order}, by a gap of {gap} (next are {}){ratios}", others.join(", ")))
+}
+
+/// The form of the equations, where the lateral ones were fitted as well.
+fn form(outcome: &Outcome<'_>) -> Option<String> {
+    let compared = outcome.result.compared_form()?;
+    let name = |is_lateral: bool, order: usize| {
+        if is_lateral {
+            "the lateral equations".to_owned()
+        } else {
+            format!("a system of {order} states with all entries free")
+        }
+    };
+    let own = outcome.result.fit()?.model.a.nrows();
+    let p_value = format_significant(compared.p_value, 2);
+    Some(if compared.is_lateral {
+        format!(
+            "form: {}; the lateral equations are rejected (p = {p_value}, likelihood-ratio test)",
+            name(false, own)
+        )
+    } else {
+        format!(
+            "form: the lateral equations, tested against {} (p = {p_value}, likelihood-ratio test)",
+            name(false, compared.order)
+        )
+    })
 }
 
 fn noise(outcome: &Outcome<'_>) -> Option<String> {

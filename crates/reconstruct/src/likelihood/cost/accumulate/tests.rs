@@ -6,7 +6,8 @@ use nalgebra::DVector;
 
 use super::*;
 use crate::likelihood::fixtures::{Normal, QUIET, fly, system};
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
+use crate::model::Hold;
 use crate::{Channel, Record};
 
 /// The sums of one record at the true system, in sensors of unit noise.
@@ -29,6 +30,7 @@ fn on_threads(
         c: model.c.clone(),
         b: model.b.clone(),
         d: vec![DVector::zeros(3)],
+        derivatives: None,
     };
     problem.record_sums(0, &system, &problem.no_coefficients(), &[1.0; 3], scalars, true)
 }

@@ -12,7 +12,7 @@ fn planted(eigenvalues: &[Complex<f64>]) -> System {
     let mut normal = Normal::new(8);
     let model = system(eigenvalues, 3, 2, &mut normal);
     let d = (0..2).map(|_| normal.vector(3)).collect();
-    System { a: model.a, c: model.c, b: model.b, d }
+    System { a: model.a, c: model.c, b: model.b, d, derivatives: None }
 }
 
 /// A Dutch roll, a mode that decays quickly, an integrator.
@@ -49,7 +49,7 @@ fn it_is_the_response_to_straight_lines() {
     let b = &first * &first * &input;
     let layout =
         Layout { order: 2, sensors: 2, records: 1, feedthrough: vec![], hold: Hold::FirstOrder };
-    let mut system = System { a, c, b: vec![b], d: vec![DVector::zeros(2)] };
+    let mut system = System { a, c, b: vec![b], d: vec![DVector::zeros(2)], derivatives: None };
     FirstOrder::new(&system.a).unwrap().tie(&mut system, &layout);
     let mut w = DVector::zeros(2);
     for (read, &u) in read.iter().zip(&corners) {

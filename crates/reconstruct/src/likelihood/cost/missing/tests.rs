@@ -4,7 +4,8 @@ use num_complex::Complex;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
 use crate::likelihood::cost::parameters::{Layout, System};
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, given, system};
-use crate::likelihood::options::{FrequencyBand, Hold, Noise, Options};
+use crate::likelihood::options::{FrequencyBand, Noise, Options};
+use crate::model::Hold;
 use crate::{Record, SharedModel};
 
 const SENSORS: usize = 3;

@@ -3,7 +3,8 @@ use num_complex::Complex;
 use super::*;
 use crate::likelihood::cost::parameters::{Layout, System};
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
+use crate::model::Hold;
 
 fn problem(samples: usize) -> (Problem, System) {
     let mut normal = Normal::new(3);

@@ -21,7 +21,8 @@ fn planted(hold: Hold, normal: &mut Normal) -> SharedModel {
     if hold == Hold::FirstOrder {
         let layout = Layout { order: 4, sensors: 3, records: 2, feedthrough: vec![], hold };
         let d = vec![DVector::zeros(3); 2];
-        let mut seen = System { a: model.a.clone(), c: model.c.clone(), b: model.b.clone(), d };
+        let (a, c, b) = (model.a.clone(), model.c.clone(), model.b.clone());
+        let mut seen = System { a, c, b, d, derivatives: None };
         FirstOrder::new(&seen.a).unwrap().tie(&mut seen, &layout);
         model.feedthrough = Some(seen.d);
     }

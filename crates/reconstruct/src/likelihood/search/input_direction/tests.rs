@@ -3,7 +3,8 @@ use realfft::RealFftPlanner;
 use super::*;
 use crate::likelihood::cost::spectrum::transform;
 use crate::likelihood::fixtures::{Disturbance, Normal, QUIET, fly, system};
-use crate::likelihood::options::{Hold, Options};
+use crate::likelihood::options::Options;
+use crate::model::Hold;
 use crate::model::NoiseSpectrum;
 use crate::{Measurement, SharedModel, Trend};
 

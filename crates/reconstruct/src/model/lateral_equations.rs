@@ -13,35 +13,58 @@
 use lti::exponential;
 use nalgebra::{DMatrix, DVector};
 
-use super::cells::{Matrices, Sizes};
-use super::parametrisation::Prior;
-use crate::likelihood::Hold;
+use super::Hold;
 
 /// Which sensor reads which state.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct LateralEquations {
+pub(crate) struct LateralEquations {
     /// For each sensor the state that it reads: 0 beta, 1 p, 2 r, 3 phi.
-    pub(super) reads: Vec<usize>,
-    pub(super) inputs: usize,
-    pub(super) hold: Hold,
+    pub(crate) reads: Vec<usize>,
+    pub(crate) inputs: usize,
+    pub(crate) hold: Hold,
     /// In s.
-    pub(super) period: f64,
+    pub(crate) period: f64,
 }
 
 /// The names of the derivatives, in the order of the parameters; control derivatives follow, Y, L, N of each input.
-pub(super) const NAMES: [&str; 11] =
+pub(crate) const NAMES: [&str; 11] =
     ["Y_beta", "Y_p", "Y_r", "g/U", "L_beta", "L_p", "L_r", "N_beta", "N_p", "N_r", "tan(theta)"];
-pub(super) const G_OVER_U: usize = 3;
-const TAN_THETA: usize = 10;
-const STATES: usize = 4;
-const MOMENTS: usize = 3;
+pub(crate) const G_OVER_U: usize = 3;
+pub(crate) const TAN_THETA: usize = 10;
+pub(crate) const STATES: usize = 4;
+pub(crate) const MOMENTS: usize = 3;
 
 /// The states, as sensors are called.
-pub(super) const STATE_NAMES: [&str; STATES] = ["beta", "p", "r", "phi"];
+pub(crate) const STATE_NAMES: [&str; STATES] = ["beta", "p", "r", "phi"];
+
+/// x(k+1) = A x(k) + B u(k), y(k) = C x(k) + D u(k).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Sampled {
+    pub(crate) a: DMatrix<f64>,
+    pub(crate) b: DMatrix<f64>,
+    pub(crate) c: DMatrix<f64>,
+    pub(crate) d: DMatrix<f64>,
+}
+
+impl Sampled {
+    /// The entries of A, B, C, D, each by columns.
+    fn entries(&self) -> Vec<f64> {
+        let all = [&self.a, &self.b, &self.c, &self.d];
+        all.into_iter().flat_map(DMatrix::iter).copied().collect()
+    }
+}
+
+/// Something known beforehand about one number: its deviation from what is expected, over the standard deviation of that, and the derivative by one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Prior {
+    pub(crate) deviation: f64,
+    pub(crate) parameter: usize,
+    pub(crate) slope: f64,
+}
 
 impl LateralEquations {
     /// `None` unless the sensors read beta, p and r, and nothing but these and phi.
-    pub(super) fn new(names: &[&str], inputs: usize, hold: Hold, period: f64) -> Option<Self> {
+    pub(crate) fn new(names: &[&str], inputs: usize, hold: Hold, period: f64) -> Option<Self> {
         let state =
             |name: &&str| STATE_NAMES.iter().position(|state| state.eq_ignore_ascii_case(name));
         let reads = names.iter().map(state).collect::<Option<Vec<_>>>()?;
@@ -49,21 +72,17 @@ impl LateralEquations {
         complete.then_some(Self { reads, inputs, hold, period })
     }
 
-    pub(super) fn sizes(&self) -> Sizes {
-        Sizes { states: STATES, sensors: self.reads.len(), inputs: self.inputs }
-    }
-
-    pub(super) fn parameters(&self) -> usize {
+    pub(crate) fn parameters(&self) -> usize {
         NAMES.len() + MOMENTS * self.inputs
     }
 
     /// The place of a control derivative: row 0 for Y, 1 for L, 2 for N.
-    pub(super) fn control(row: usize, input: usize) -> usize {
+    pub(crate) fn control(row: usize, input: usize) -> usize {
         NAMES.len() + MOMENTS * input + row
     }
 
     /// A and B of the equations as they stand above.
-    pub(super) fn continuous(&self, parameters: &DVector<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
+    pub(crate) fn continuous(&self, parameters: &DVector<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
         let p = parameters;
         #[rustfmt::skip]
         let a = DMatrix::from_row_slice(STATES, STATES, &[
@@ -78,7 +97,8 @@ impl LateralEquations {
         (a, b)
     }
 
-    pub(super) fn matrices(&self, parameters: &DVector<f64>) -> Option<Matrices> {
+    /// The sampled system; `None` where the equations have none.
+    pub(crate) fn sampled(&self, parameters: &DVector<f64>) -> Option<Sampled> {
         let (a, b) = self.continuous(parameters);
         let (n, inputs) = (STATES, self.inputs);
         // exp [A T, B T, 0; 0, 0, I; 0, 0, 0] holds the responses to a step and to a ramp within one period.
@@ -97,21 +117,21 @@ impl LateralEquations {
             Hold::ZeroOrder => (step, DMatrix::zeros(self.reads.len(), inputs)),
             Hold::FirstOrder => (step - &ramp + &a * &ramp, &c * ramp),
         };
-        let (sensor_lags, input_lags) = (vec![0.0; self.reads.len()], vec![0.0; inputs]);
-        Some(Matrices { a, b, c, d, sensor_lags, input_lags })
+        Some(Sampled { a, b, c, d })
     }
 
-    /// The derivatives of all cells by all parameters, by central differences.
-    pub(super) fn tangent(&self, parameters: &DVector<f64>) -> Option<DMatrix<f64>> {
+    /// The derivatives of the entries of A, B, C, D, by columns, by all parameters; central differences.
+    pub(crate) fn tangent(&self, parameters: &DVector<f64>) -> Option<DMatrix<f64>> {
         const STEP: f64 = 1e-5;
         const LEAST: f64 = 0.1;
-        let mut tangent = DMatrix::zeros(self.sizes().count(), self.parameters());
+        let entries = (STATES + self.reads.len()) * (STATES + self.inputs);
+        let mut tangent = DMatrix::zeros(entries, self.parameters());
         for parameter in 0..self.parameters() {
             let step = STEP * parameters[parameter].abs().max(LEAST);
             let at = |step: f64| {
                 let mut moved = parameters.clone();
                 moved[parameter] += step;
-                self.matrices(&moved).map(|matrices| DVector::from_vec(matrices.entries()))
+                self.sampled(&moved).map(|sampled| DVector::from_vec(sampled.entries()))
             };
             tangent.set_column(parameter, &((at(step)? - at(-step)?) / (2.0 * step)));
         }
@@ -119,7 +139,7 @@ impl LateralEquations {
     }
 
     /// What is known of any aircraft in flight.
-    pub(super) fn priors(&self, parameters: &DVector<f64>) -> Vec<Prior> {
+    pub(crate) fn priors(&self, parameters: &DVector<f64>) -> Vec<Prior> {
         // Parameter, expected value, standard deviation.
         const LOOSE: [(usize, f64, f64); 3] =
             [(1, 0.07, 0.1), (2, -1.0, 0.05), (TAN_THETA, 0.05, 0.1)];
@@ -142,4 +162,11 @@ impl LateralEquations {
         });
         priors
     }
+}
+
+/// What is said of records that the equations do not describe, with the reason.
+pub(crate) fn contradiction(reason: &str) -> String {
+    format!(
+        "the lateral equations do not hold: {reason}; an actuator, a damper or a filter may be part of the records, so leave out --structure lateral"
+    )
 }

@@ -1,0 +1,88 @@
+//! The lateral equations in place of a fit in which all entries of the matrices are free: where they were asked for, or where the records do not reject them.
+
+use super::doubt::{self, Doubt};
+use super::options::Options;
+use super::result::ComparedForm;
+use super::starts;
+use super::white_noise::Fitted;
+use crate::likelihood::{Fit, identify_lateral, lateral_test};
+use crate::model::Hold;
+use crate::model::lateral_equations::{LateralEquations, STATES};
+use crate::output_error::Structure;
+use crate::{ReconstructError, Record};
+
+/// Records that obey the equations reject them with this probability.
+const REJECTED: f64 = 0.01;
+/// Where the equations were asked for, they are doubted only where chance would hardly ever look like that, and where they leave out so much.
+const CONTRADICTED: f64 = 1e-4;
+const LEFT_OUT: f64 = 1e-2;
+
+/// The fit that is used, and how it compares with the other form of the equations; the latter is `None` where only one was fitted.
+pub(super) fn in_form(
+    records: &[Record],
+    options: &Options,
+    found: Fitted,
+) -> Result<(Fitted, Option<ComparedForm>), ReconstructError> {
+    let asked = options.structure == Structure::Lateral;
+    let free_order = found.fit.model.a.nrows();
+    if asked && found.stage.order.asked && free_order != STATES {
+        let needed = "the lateral equations have 4 states; leave the order out".to_owned();
+        return Err(crate::error::option("structure", needed));
+    }
+    // Fewer states hold less than the equations, which would be no test of them.
+    let left_open = options.structure == Structure::Automatic
+        && is_possible(records, options)
+        && free_order >= STATES
+        && (!found.stage.order.asked || free_order == STATES);
+    if !asked && !left_open {
+        return Ok((found, None));
+    }
+    let holds = options.hold.map_or_else(|| own_first(found.fit.hold), |hold| vec![hold]);
+    let lateral = match identify_lateral(records, &found.fit, &[], &holds) {
+        Err(ReconstructError::Start { .. }) if !asked => return Ok((found, None)),
+        other => other?,
+    };
+    let p_value = lateral_test(&lateral, &found.fit);
+    let above = lateral.bayesian_criterion() - found.fit.bayesian_criterion();
+    if !asked && (p_value < REJECTED || p_value.is_nan()) {
+        let compared = ComparedForm { order: STATES, is_lateral: true, above, p_value };
+        return Ok((found, Some(compared)));
+    }
+    let compared = ComparedForm { order: free_order, is_lateral: false, above: -above, p_value };
+    let (stage, of_first) = if found.stage.order.order == STATES {
+        // Those that the fit of the other form has settled stay so.
+        let of_first = found.doubts.into_iter().filter(|doubt| matches!(doubt, Doubt::Subspace(_)));
+        (found.stage, of_first.collect())
+    } else {
+        let stage = starts::at_order(records, options, &found.stage, STATES)?;
+        let of_first = stage.doubts.clone();
+        (stage, of_first)
+    };
+    let mut doubts =
+        doubt::doubts(records, &stage.intersection, of_first, &lateral, &options.noise);
+    if p_value < CONTRADICTED && leaves_out(&lateral) {
+        let doubt = Doubt::StructureContradicted { order: free_order, p_value };
+        doubts.insert(0, doubt);
+    }
+    Ok((Fitted { stage, fit: lateral, doubts, compared: found.compared }, Some(compared)))
+}
+
+/// Whether the sensors are those of the equations.
+fn is_possible(records: &[Record], options: &Options) -> bool {
+    let names: Vec<&str> =
+        records[0].channels().iter().map(|channel| channel.name.as_str()).collect();
+    options.measurement.feedthrough_sensors.is_empty()
+        && LateralEquations::new(&names, 1, Hold::ZeroOrder, 1.0).is_some()
+}
+
+fn own_first(hold: Hold) -> Vec<Hold> {
+    match hold {
+        Hold::ZeroOrder => vec![Hold::ZeroOrder, Hold::FirstOrder],
+        Hold::FirstOrder => vec![Hold::FirstOrder, Hold::ZeroOrder],
+    }
+}
+
+/// Whether what the equations leave over matters.
+fn leaves_out(lateral: &Fit) -> bool {
+    lateral.model_error.is_none_or(|error| error.value > LEFT_OUT)
+}
