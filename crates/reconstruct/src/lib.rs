@@ -35,7 +35,7 @@ pub use error::ReconstructError;
 pub use model::{Channel, Measurement, NoiseModel, Offsets, Record, SharedModel, Trend};
 pub use reconstruction::{
     ComparedForm, ComparedOrder, Details, Doubt, Excitation, FoundMode, Method, Options,
-    Reconstruction, reconstruct, spectral_fits,
+    Reconstruction, RecordCondition, reconstruct, spectral_fits,
 };
 
 /// The README's example compiles.

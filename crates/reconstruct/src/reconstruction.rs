@@ -13,7 +13,7 @@ mod white_noise;
 use lti::{Discrete, Mode, SamplePeriod, StateSpace};
 use nalgebra::DMatrix;
 
-pub use doubt::Doubt;
+pub use doubt::{Doubt, RecordCondition};
 pub use options::{Excitation, Method, Options};
 
 pub use result::{ComparedForm, ComparedOrder, Details, FoundMode, Reconstruction};

@@ -3,7 +3,10 @@
 //! Eleven derivatives and two numbers for each record take the place of n J + m n - J: on noisy flights the modes scatter less, the roll mode above all. Where the records
 //! hold more than the equations, an actuator or a damper, the criteria of both say so.
 
+mod conditions;
 mod starts;
+
+pub use conditions::{Condition, ConditionTest, condition_test};
 
 use nalgebra::DVector;
 

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use crate::likelihood::{Fit, Mode};
+use crate::likelihood::{ComplexEstimate, Estimate, Fit, Mode};
 use crate::model::lateral_equations::contradiction;
 use crate::model::record::deviation;
 use crate::subspace::{Intersection, NoiseOrigin};
@@ -20,6 +20,13 @@ pub enum Doubt {
     Likelihood(likelihood::Doubt),
     /// A doubt of output error with recorded inputs.
     OutputError(output_error::Doubt),
+    /// Each record obeys the lateral equations, but not all with the same derivatives: speed, height, weight or configuration differ between them.
+    ConditionsDiffer {
+        /// Each record.
+        conditions: Vec<RecordCondition>,
+        /// The probability that records flown under one condition look like that.
+        p_value: f64,
+    },
     /// The lateral equations that were asked for are rejected against a system of so many states.
     StructureContradicted {
         /// The number of its states.
@@ -38,6 +45,39 @@ pub enum Doubt {
     },
 }
 
+/// The condition of one record, from its own derivatives.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RecordCondition {
+    /// The record.
+    pub record: String,
+    /// Its speed over that of the first record, from its dynamics.
+    pub speed_ratio: Estimate,
+    /// Its eigenvalues in rad/s, a complex pair once.
+    pub eigenvalues: Vec<ComplexEstimate>,
+}
+
+impl std::fmt::Display for RecordCondition {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let eigenvalue = |s: &ComplexEstimate| {
+            let (re, im) = (s.value.re, s.value.im);
+            let pair = if im > 0.0 { format!(" +- {im:.3}j") } else { String::new() };
+            let error = s.covariance.trace().max(0.0).sqrt();
+            format!("{re:.3}{pair} (standard error {error:.1e})")
+        };
+        let all: Vec<_> = self.eigenvalues.iter().map(eigenvalue).collect();
+        write!(f, "{} has eigenvalues {} 1/s", self.record, all.join(", "))?;
+        let Estimate { value, standard_error } = self.speed_ratio;
+        if standard_error > 0.0 {
+            write!(
+                f,
+                ", as if flown {value:.2} +- {standard_error:.2} times as fast as the first"
+            )?;
+        }
+        Ok(())
+    }
+}
+
 impl Doubt {
     /// A short name for programs, which stays what it is; the program's documentation lists all of them.
     #[must_use]
@@ -47,6 +87,7 @@ impl Doubt {
             Self::Subspace(doubt) => doubt.code(),
             Self::Likelihood(doubt) => doubt.code(),
             Self::OutputError(doubt) => doubt.code(),
+            Self::ConditionsDiffer { .. } => "conditions-differ",
             Self::StructureContradicted { .. } => "structure-contradicted",
             Self::LevelsDisagree { .. } => "levels-disagree",
         }
@@ -60,6 +101,14 @@ impl std::fmt::Display for Doubt {
             Self::Subspace(doubt) => doubt.fmt(f),
             Self::Likelihood(doubt) => doubt.fmt(f),
             Self::OutputError(doubt) => doubt.fmt(f),
+            Self::ConditionsDiffer { conditions, p_value } => {
+                let all: Vec<_> = conditions.iter().map(RecordCondition::to_string).collect();
+                write!(
+                    f,
+                    "the records were not flown under one condition (p = {p_value:.0e}): {}; identify each condition from records of its own, at one speed, height, weight and configuration",
+                    all.join("; ")
+                )
+            }
             Self::StructureContradicted { order, p_value } => f.write_str(&contradiction(&format!(
                 "a likelihood-ratio test against a system of {order} states rejects them (p = {p_value:.0e})"
             ))),

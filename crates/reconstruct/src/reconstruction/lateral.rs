@@ -1,11 +1,11 @@
 //! The lateral equations in place of a fit in which all entries of the matrices are free: where they were asked for, or where the records do not reject them.
 
-use super::doubt::{self, Doubt};
+use super::doubt::{self, Doubt, RecordCondition};
 use super::options::Options;
 use super::result::ComparedForm;
 use super::starts;
 use super::white_noise::Fitted;
-use crate::likelihood::{Fit, identify_lateral, lateral_test};
+use crate::likelihood::{Fit, condition_test, identify_lateral, lateral_test};
 use crate::model::Hold;
 use crate::model::lateral_equations::{LateralEquations, STATES};
 use crate::output_error::Structure;
@@ -16,6 +16,8 @@ const REJECTED: f64 = 0.01;
 /// Where the equations were asked for, they are doubted only where chance would hardly ever look like that, and where they leave out so much.
 const CONTRADICTED: f64 = 1e-4;
 const LEFT_OUT: f64 = 1e-2;
+/// Conditions that differ are an explanation where what they leave is no less likely than this.
+const EXPLAINED: f64 = 1e-3;
 
 /// The fit that is used, and how it compares with the other form of the equations; the latter is `None` where only one was fitted.
 pub(super) fn in_form(
@@ -43,12 +45,19 @@ pub(super) fn in_form(
         other => other?,
     };
     let p_value = lateral_test(&lateral, &found.fit);
+    let mut found = found;
+    if p_value < REJECTED {
+        let doubt = differing_conditions(records, &lateral, &found.fit)?;
+        found.doubts.splice(0..0, doubt);
+    }
     let above = lateral.bayesian_criterion() - found.fit.bayesian_criterion();
     if !asked && (p_value < REJECTED || p_value.is_nan()) {
         let compared = ComparedForm { order: STATES, is_lateral: true, above, p_value };
         return Ok((found, Some(compared)));
     }
     let compared = ComparedForm { order: free_order, is_lateral: false, above: -above, p_value };
+    let is_apart = |doubt: &&Doubt| matches!(doubt, Doubt::ConditionsDiffer { .. });
+    let apart = found.doubts.first().filter(is_apart).cloned();
     let (stage, of_first) = if found.stage.order.order == STATES {
         // Those that the fit of the other form has settled stay so.
         let of_first = found.doubts.into_iter().filter(|doubt| matches!(doubt, Doubt::Subspace(_)));
@@ -60,11 +69,30 @@ pub(super) fn in_form(
     };
     let mut doubts =
         doubt::doubts(records, &stage.intersection, of_first, &lateral, &options.noise);
-    if p_value < CONTRADICTED && leaves_out(&lateral) {
+    if let Some(apart) = apart {
+        doubts.insert(0, apart);
+    } else if p_value < CONTRADICTED && leaves_out(&lateral) {
         let doubt = Doubt::StructureContradicted { order: free_order, p_value };
         doubts.insert(0, doubt);
     }
     Ok((Fitted { stage, fit: lateral, doubts, compared: found.compared }, Some(compared)))
+}
+
+/// A doubt where the records obey the equations with derivatives of their own, but not with the same.
+fn differing_conditions(
+    records: &[Record],
+    lateral: &Fit,
+    free: &Fit,
+) -> Result<Option<Doubt>, ReconstructError> {
+    let Some(test) = condition_test(records, lateral, free)? else { return Ok(None) };
+    let explains = test.p_value < CONTRADICTED && test.p_value_of_equations > EXPLAINED;
+    let all = records.iter().zip(test.conditions).map(|(record, condition)| RecordCondition {
+        record: record.name().to_owned(),
+        speed_ratio: condition.speed_ratio,
+        eigenvalues: condition.modes.into_iter().map(|mode| mode.continuous).collect(),
+    });
+    Ok(explains
+        .then(|| Doubt::ConditionsDiffer { conditions: all.collect(), p_value: test.p_value }))
 }
 
 /// Whether the sensors are those of the equations.
