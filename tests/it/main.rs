@@ -19,6 +19,7 @@ mod identify_bad_input;
 mod identify_numbers;
 mod identify_records;
 mod inspect;
+mod lateral;
 mod layering;
 mod monitor;
 mod pages;

@@ -21,6 +21,7 @@
 //! | `cost` | what is minimised: records in the frequency domain, cost, gradient and Gram matrix |
 //! | `search` | how it is searched: from starts to the best of the local optima |
 //! | `inference` | how sure we are: covariances, intervals, tests of fit |
+//! | `lateral` | the same with the derivatives of an aircraft's lateral equations as parameters |
 //! | `identify.rs`, `bootstrap.rs` | from records and starts to the result; the same with the noise drawn anew |
 
 mod bootstrap;

@@ -5,6 +5,7 @@
 //! | `conclusion.rs`, `fit.rs` | from the best local optimum to the result |
 //! | `doubt.rs` | reasons to doubt it |
 //! | `uncertainty.rs` | covariances of parameters and modes |
+//! | `derivatives.rs` | derivatives of the lateral equations with standard errors and correlations |
 //! | `profile_likelihood.rs` | intervals of real modes from the likelihood itself |
 //! | `offset_estimates.rs` | offsets that were left free |
 //! | `goodness_of_fit.rs`, `offset_test.rs`, `model_error_test.rs`, `chi_squared.rs` | chi-squared, whiteness, offsets, residuals that follow the signal |

@@ -172,3 +172,6 @@ fn variances(fit: &Fit, units: &[f64]) -> Vec<f64> {
     variances.extend(fit.model_error.map(|error| error.value * error.value));
     variances
 }
+
+#[cfg(test)]
+mod tests;

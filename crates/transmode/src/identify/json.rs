@@ -1,5 +1,6 @@
 //! The result as JSON: a stable form for other programs, which docs/identify.schema.json describes.
 
+mod form;
 mod paper;
 mod recorded;
 
@@ -14,6 +15,7 @@ use crate::CommandError;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
 use crate::records::clock::Clock;
+use form::FormOutput;
 use paper::TransmissibilityOutput;
 use recorded::RecordedOutput;
 
@@ -41,6 +43,7 @@ struct Output<'a> {
     /// Smallest spread of a group of zeros that the paper's method refused as a mode.
     closest_refused: Option<f64>,
     transmissibilities: Option<Vec<TransmissibilityOutput<'a>>>,
+    form: Option<FormOutput<'a>>,
     recorded_inputs: Option<RecordedOutput<'a>>,
     warnings: Vec<Warning>,
 }
@@ -218,6 +221,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         search: fit.map(search),
         closest_refused: solution.and_then(|solution| solution.shared.closest_refused),
         transmissibilities: solution.map(paper::transmissibilities),
+        form: form::form(outcome),
         recorded_inputs: recorded::recorded(outcome),
         warnings: warnings
             .map(|warning| Warning { code: warning.code(), text: warning.to_string() })

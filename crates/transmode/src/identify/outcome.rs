@@ -73,6 +73,31 @@ impl Outcome<'_> {
         self.result.compared_orders().iter().map(ratio).collect::<Vec<_>>().join(", ")
     }
 
+    /// The form of the equations, where the lateral ones were fitted as well.
+    pub(super) fn form(&self) -> Option<String> {
+        let compared = self.result.compared_form()?;
+        let name = |is_lateral: bool, order: usize| {
+            if is_lateral {
+                "the lateral equations".to_owned()
+            } else {
+                format!("a system of {order} states with all entries free")
+            }
+        };
+        let own = self.result.fit()?.model.a.nrows();
+        let p_value = format_significant(compared.p_value, 2);
+        Some(if compared.is_lateral {
+            format!(
+                "{}; the lateral equations are rejected (p = {p_value}, likelihood-ratio test)",
+                name(false, own)
+            )
+        } else {
+            format!(
+                "the lateral equations, tested against {} (p = {p_value}, likelihood-ratio test)",
+                name(false, compared.order)
+            )
+        })
+    }
+
     /// The unit of a channel, where all files that state one agree.
     pub(crate) fn unit(&self, channel: usize) -> Option<&'static str> {
         let mut units =

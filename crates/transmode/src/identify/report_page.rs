@@ -8,6 +8,7 @@
 //! Each section is a file of its own. A section that a method cannot fill says so in one sentence.
 
 mod contents;
+mod derivatives;
 mod folder;
 mod history;
 mod mode_table;
@@ -91,11 +92,12 @@ fn images(pictures: &[String]) -> Result<Vec<Vec<u8>>, report::ReportError> {
 type Section = fn(&Outcome<'_>) -> Result<Vec<Block>, CommandError>;
 
 /// In reading order: the answer, why it can be trusted, what it comes from.
-const SECTIONS: [Section; 9] = [
+const SECTIONS: [Section; 10] = [
     summary::blocks,
     mode_table::blocks,
     pole_map::blocks,
     order::blocks,
+    derivatives::blocks,
     stabilisation::blocks,
     history::blocks,
     spectra::blocks,

@@ -1,5 +1,6 @@
 //! The result as a table for the terminal.
 
+mod estimates;
 mod evidence;
 mod paper;
 mod recorded;

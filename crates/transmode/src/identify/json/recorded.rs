@@ -1,6 +1,6 @@
 //! The part of the JSON that a fit with recorded inputs fills.
 
-use reconstruct::likelihood::Estimate;
+use reconstruct::likelihood::{Derivative, Estimate};
 use reconstruct::output_error::Fit;
 use serde::Serialize;
 
@@ -39,10 +39,22 @@ struct LagOutput<'a> {
 }
 
 #[derive(Serialize)]
-struct DerivativeOutput<'a> {
+pub(super) struct DerivativeOutput<'a> {
     name: &'a str,
     value: f64,
     deviation: f64,
+}
+
+impl<'a> From<&'a Derivative> for DerivativeOutput<'a> {
+    fn from(own: &'a Derivative) -> Self {
+        let Estimate { value, standard_error, .. } = own.estimate;
+        Self { name: &own.name, value, deviation: standard_error }
+    }
+}
+
+/// The form of the equations in a word.
+pub(super) fn word(is_lateral: bool) -> &'static str {
+    if is_lateral { "lateral" } else { "black-box" }
 }
 
 #[derive(Serialize)]
@@ -54,7 +66,6 @@ struct ExplainedOutput<'a> {
 
 pub(super) fn recorded<'a>(outcome: &Outcome<'a>) -> Option<RecordedOutput<'a>> {
     let fit = outcome.result.output_error()?;
-    let word = |lateral| if lateral { "lateral" } else { "black-box" };
     let channels: Vec<&str> = super::channels(outcome);
     let by_channel = |record: &'a str, parts: &[f64]| {
         let each = channels.iter().zip(parts);
@@ -75,15 +86,7 @@ pub(super) fn recorded<'a>(outcome: &Outcome<'a>) -> Option<RecordedOutput<'a>> 
             })
             .collect(),
         lags: lags(outcome, fit, &channels),
-        derivatives: fit
-            .derivatives
-            .iter()
-            .map(|own| DerivativeOutput {
-                name: &own.name,
-                value: own.estimate.value,
-                deviation: own.estimate.standard_error,
-            })
-            .collect(),
+        derivatives: fit.derivatives.iter().map(DerivativeOutput::from).collect(),
         correlations: rows(&fit.correlations),
         coefficients: outcome
             .coefficients
@@ -119,6 +122,6 @@ fn lags<'a>(outcome: &Outcome<'a>, fit: &Fit, channels: &[&'a str]) -> Vec<LagOu
     names.zip(fit.sensor_lags.iter().chain(&fit.input_lags)).map(one).collect()
 }
 
-fn rows(matrix: &nalgebra::DMatrix<f64>) -> Vec<Vec<f64>> {
+pub(super) fn rows(matrix: &nalgebra::DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }

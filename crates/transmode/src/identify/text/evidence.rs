@@ -3,9 +3,11 @@
 use std::fmt::Write;
 
 use reconstruct::likelihood::{Estimate, Hold};
+use reconstruct::output_error::Structure;
 use reconstruct::{Offsets, Trend};
 use report::format_significant;
 
+use super::estimates;
 use crate::identify::outcome::Outcome;
 use crate::modes::IdentifiedMode;
 
@@ -16,7 +18,7 @@ const NAMED: usize = 4;
 pub(super) fn summary(outcome: &Outcome<'_>) -> String {
     let lines = [
         order(outcome),
-        form(outcome),
+        outcome.form().map(|form| format!("form: {form}")),
         intervals(outcome),
         noise(outcome),
         model_error(outcome),
@@ -24,6 +26,7 @@ pub(super) fn summary(outcome: &Outcome<'_>) -> String {
         hold(outcome),
         band(outcome),
         fit(outcome),
+        derivatives(outcome),
     ];
     lines.into_iter().flatten().collect::<Vec<_>>().join("\n")
 }
@@ -49,29 +52,14 @@ fn order(outcome: &Outcome<'_>) -> Option<String> {
     Some(format!("order: {order}, by a gap of {gap} (next are {}){ratios}", others.join(", ")))
 }
 
-/// The form of the equations, where the lateral ones were fitted as well.
-fn form(outcome: &Outcome<'_>) -> Option<String> {
-    let compared = outcome.result.compared_form()?;
-    let name = |is_lateral: bool, order: usize| {
-        if is_lateral {
-            "the lateral equations".to_owned()
-        } else {
-            format!("a system of {order} states with all entries free")
-        }
-    };
-    let own = outcome.result.fit()?.model.a.nrows();
-    let p_value = format_significant(compared.p_value, 2);
-    Some(if compared.is_lateral {
-        format!(
-            "form: {}; the lateral equations are rejected (p = {p_value}, likelihood-ratio test)",
-            name(false, own)
-        )
-    } else {
-        format!(
-            "form: the lateral equations, tested against {} (p = {p_value}, likelihood-ratio test)",
-            name(false, compared.order)
-        )
-    })
+/// The derivatives, where the lateral equations were asked for.
+fn derivatives(outcome: &Outcome<'_>) -> Option<String> {
+    let derivatives = &outcome.result.fit()?.derivatives;
+    let asked = outcome.options.structure == Structure::Lateral;
+    let rows = derivatives.iter();
+    let rows = rows.map(|own| (&own.name, own.estimate.value, own.estimate.standard_error));
+    (asked && !derivatives.is_empty())
+        .then(|| format!("\n{}", estimates::table("derivative", rows)))
 }
 
 fn noise(outcome: &Outcome<'_>) -> Option<String> {

@@ -1,10 +1,10 @@
 //! What the modes rest on where all inputs were recorded: form, hold, lags, derivatives, and how much is explained.
 
-use comfy_table::{CellAlignment, Table, presets};
 use reconstruct::likelihood::{Estimate, Hold};
 use reconstruct::output_error::{Compared, Fit};
 use report::format_significant;
 
+use super::estimates;
 use crate::identify::outcome::{Outcome, Prediction};
 
 /// Below this, a likelihood ratio of e^5, the records do not tell one hold from the other.
@@ -31,12 +31,12 @@ pub(super) fn summary(outcome: &Outcome<'_>, fit: &Fit) -> String {
     if !fit.derivatives.is_empty() {
         let rows = fit.derivatives.iter();
         let rows = rows.map(|own| (&own.name, own.estimate.value, own.estimate.standard_error));
-        lines.push(format!("\n{}", table("derivative", rows)));
+        lines.push(format!("\n{}", estimates::table("derivative", rows)));
     }
     if !outcome.coefficients.is_empty() {
         let rows = outcome.coefficients.iter();
         let rows = rows.map(|own| (&own.name, own.value, own.standard_error));
-        lines.push(format!("\n{}", table("coefficient", rows)));
+        lines.push(format!("\n{}", estimates::table("coefficient", rows)));
     }
     lines.join("\n")
 }
@@ -116,21 +116,4 @@ fn parts(outcome: &Outcome<'_>, parts: &[f64]) -> String {
 
 fn predicted(outcome: &Outcome<'_>, own: &Prediction) -> String {
     format!("predicted of {}: {}", own.simulation.record, parts(outcome, &own.simulation.fit))
-}
-
-/// A table to be pasted.
-fn table<'a>(what: &str, rows: impl Iterator<Item = (&'a String, f64, f64)>) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header([what, "estimate", "standard error"]);
-    for (name, value, standard_error) in rows {
-        table.add_row([
-            name.clone(),
-            format_significant(value, 5),
-            format_significant(standard_error, 2),
-        ]);
-    }
-    for column in table.column_iter_mut().skip(1) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    table
 }
