@@ -50,6 +50,7 @@ pub use inference::profile_likelihood::profile_intervals;
 pub(crate) use inference::spectral_fit::spectral_fit;
 pub use inference::spectral_fit::{SensorSpectrum, SpectralFit};
 pub use inference::uncertainty::{ComplexEstimate, Ellipse, Estimate, Mode};
+pub(crate) use lateral::identify_lateral_unless_rejected;
 pub use lateral::{Condition, ConditionTest, condition_test, identify_lateral, lateral_test};
 pub use options::{FrequencyBand, InputDirections, Noise, Options, SearchOptions};
 pub use search::levenberg_marquardt::SearchStatus;

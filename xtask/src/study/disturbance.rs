@@ -31,7 +31,7 @@ const GUST_PERCENT: [u32; 4] = [0, 10, 30, 100];
 
 impl Study for DisturbanceStudy {
     const NAME: &'static str = "disturbance";
-    const EDITION: u32 = 1;
+    const EDITION: u32 = 2;
     const SEEDS: Option<Seeds> = Some(Seeds { page: 100, quick: 1 });
     type Kind = Kind;
     type Outcome = Outcome;

@@ -26,7 +26,7 @@ const SIGNAL_TO_NOISE: [u32; 4] = [1000, 100, 30, 10];
 
 impl Study for NoiseStudy {
     const NAME: &'static str = "noise";
-    const EDITION: u32 = 3;
+    const EDITION: u32 = 4;
     const SEEDS: Option<Seeds> = Some(Seeds { page: 200, quick: 3 });
     type Kind = Kind;
     type Outcome = Outcome;

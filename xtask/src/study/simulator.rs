@@ -29,7 +29,7 @@ pub(super) struct SimulatorStudy {
 
 impl Study for SimulatorStudy {
     const NAME: &'static str = "simulator";
-    const EDITION: u32 = 2;
+    const EDITION: u32 = 3;
     const SEEDS: Option<Seeds> = None;
     type Kind = Kind;
     type Outcome = Outcome;

@@ -27,7 +27,7 @@ use super::validation;
 use crate::error::option;
 use crate::model::Hold;
 use crate::model::lateral_equations::STATES;
-use crate::{ReconstructError, Record, SharedModel};
+use crate::{ReconstructError, Record};
 
 /// Fits the lateral equations to several records, each under one unknown excitation.
 ///
@@ -41,8 +41,7 @@ use crate::{ReconstructError, Record, SharedModel};
 /// u_j is free in record j, and only the ratios of Y_j, L_j and N_j count. Y_p, Y_r, g/U and tan(theta), which hardly matter to what sensors read, are held near what they are in
 /// flight, and side forces of controls are small beside their moments. The sensors are beta, p, r and, if it was recorded, phi, by name, in rad and s or any other angle and s.
 ///
-/// `free` is a fit of the same records in which all entries of the matrices are free: from it come noise, hold, band, offsets, and a start; `also_from` may hold further
-/// starts. `holds` lists the holds that may be. By [`Fit::bayesian_criterion`] the result compares with `free`.
+/// `free` is a fit of the same records in which all entries of the matrices are free: from it come noise, hold, band, offsets, and a start. `holds` lists the holds that may be. By [`Fit::bayesian_criterion`] the result compares with `free`.
 ///
 /// # Errors
 ///
@@ -50,15 +49,33 @@ use crate::{ReconstructError, Record, SharedModel};
 pub fn identify_lateral(
     records: &[Record],
     free: &Fit,
-    also_from: &[SharedModel],
     holds: &[Hold],
+) -> Result<Fit, ReconstructError> {
+    fitted(records, free, holds, f64::INFINITY)
+}
+
+/// The same, given up as soon as the equations are certain to be rejected: the result is then on its way to an optimum.
+pub(crate) fn identify_lateral_unless_rejected(
+    records: &[Record],
+    free: &Fit,
+    holds: &[Hold],
+) -> Result<Fit, ReconstructError> {
+    /// Above minus twice the logarithm of the likelihood of `free`; with ten degrees of freedom a probability of 1e-9.
+    const REJECTED: f64 = 60.0;
+    fitted(records, free, holds, free.objective() + REJECTED)
+}
+
+fn fitted(
+    records: &[Record],
+    free: &Fit,
+    holds: &[Hold],
+    ceiling: f64,
 ) -> Result<Fit, ReconstructError> {
     let options = &free.options;
     let of_free = validation::check(records, std::slice::from_ref(&free.model), options)?;
     // The criteria compare in the same units.
     let units = sensor_units(records, options);
     let variances = variances(free, &units);
-    let models: Vec<SharedModel> = std::iter::once(&free.model).chain(also_from).cloned().collect();
     let mut found: Vec<(Problem, Candidate)> = Vec::new();
     for &hold in holds {
         let layout = Layout { order: STATES, hold, ..of_free.clone() };
@@ -71,10 +88,10 @@ pub fn identify_lateral(
         // The other hold moves the derivatives little.
         let starts = match found.last().and_then(|(_, last)| last.derivatives()) {
             Some(derivatives) => vec![derivatives.clone()],
-            None => starts::starts(&own, &models, &problem.spectra),
+            None => starts::starts(&own, &free.model, &problem.spectra),
         };
         problem.lateral = Some(own.clone());
-        let best = best_optimum(&problem, &own, &starts, &variances, options);
+        let best = best_optimum(&problem, &own, &starts, &variances, options, ceiling);
         found.extend(best.map(|best| (problem, best)));
     }
     found.sort_by(|(_, x), (_, y)| x.priced().total_cmp(&y.priced()));
@@ -126,6 +143,7 @@ fn best_optimum(
     starts: &[DVector<f64>],
     variances: &[f64],
     options: &Options,
+    ceiling: f64,
 ) -> Option<Candidate> {
     const STEPS: usize = 15;
     const UPDATES: usize = 2;
@@ -141,9 +159,9 @@ fn best_optimum(
     for (index, start) in starts.iter().enumerate() {
         let evaluation = own.system(start.clone()).map(|own| problem.evaluate(own, variances));
         let cost_at_start = evaluation.as_ref().map_or(f64::NAN, |there| there.cost);
-        let found = evaluation
-            .filter(|there| there.cost.is_finite())
-            .map(|there| optimise(problem, there, variances.to_vec(), residuals, &short, None));
+        let found = evaluation.filter(|there| there.cost.is_finite()).map(|there| {
+            optimise(problem, there, variances.to_vec(), residuals, &short, Some(ceiling))
+        });
         reports.push(StartReport {
             cost_at_start,
             direction_replaced: vec![false; problem.layout.records],
@@ -155,9 +173,16 @@ fn best_optimum(
         {
             best = Some((index, found));
         }
+        // Derivatives that are not rejected are those of this aircraft.
+        if best.as_ref().is_some_and(|(_, best)| best.objective < ceiling) && ceiling.is_finite() {
+            break;
+        }
     }
-    let (start, LocalOptimum { evaluation, variances, .. }) = best?;
-    let optimum = optimise(problem, evaluation, variances, residuals, &full, None);
+    let (start, mut optimum) = best?;
+    if optimum.objective < ceiling {
+        let LocalOptimum { evaluation, variances, .. } = optimum;
+        optimum = optimise(problem, evaluation, variances, residuals, &full, Some(ceiling));
+    }
     optimum.objective.is_finite().then_some(Candidate { optimum, reports, start })
 }
 

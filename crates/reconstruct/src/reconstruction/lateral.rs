@@ -5,9 +5,12 @@ use super::options::Options;
 use super::result::ComparedForm;
 use super::starts;
 use super::white_noise::Fitted;
-use crate::likelihood::{Fit, condition_test, identify_lateral, lateral_test};
+use crate::likelihood::{
+    Condition, Fit, condition_test, identify_lateral, identify_lateral_unless_rejected,
+    lateral_test,
+};
 use crate::model::Hold;
-use crate::model::lateral_equations::{LateralEquations, STATES};
+use crate::model::lateral_equations::{LateralEquations, NAMES, STATES};
 use crate::output_error::Structure;
 use crate::{ReconstructError, Record};
 
@@ -18,6 +21,8 @@ const CONTRADICTED: f64 = 1e-4;
 const LEFT_OUT: f64 = 1e-2;
 /// Conditions that differ are an explanation where what they leave is no less likely than this.
 const EXPLAINED: f64 = 1e-3;
+/// Derivatives that hardly matter to what sensors read.
+const UNIMPORTANT: [&str; 3] = ["Y_p", "Y_r", "tan(theta)"];
 
 /// The fit that is used, and how it compares with the other form of the equations; the latter is `None` where only one was fitted.
 pub(super) fn in_form(
@@ -40,7 +45,12 @@ pub(super) fn in_form(
         return Ok((found, None));
     }
     let holds = options.hold.map_or_else(|| own_first(found.fit.hold), |hold| vec![hold]);
-    let lateral = match identify_lateral(records, &found.fit, &[], &holds) {
+    let lateral = if asked {
+        identify_lateral(records, &found.fit, &holds)
+    } else {
+        identify_lateral_unless_rejected(records, &found.fit, &holds)
+    };
+    let lateral = match lateral {
         Err(ReconstructError::Start { .. }) if !asked => return Ok((found, None)),
         other => other?,
     };
@@ -85,7 +95,9 @@ fn differing_conditions(
     free: &Fit,
 ) -> Result<Option<Doubt>, ReconstructError> {
     let Some(test) = condition_test(records, lateral, free)? else { return Ok(None) };
-    let explains = test.p_value < CONTRADICTED && test.p_value_of_equations > EXPLAINED;
+    let explains = test.p_value < CONTRADICTED
+        && test.p_value_of_equations > EXPLAINED
+        && test.conditions.iter().any(|condition| differs(condition, free));
     let all = records.iter().zip(test.conditions).map(|(record, condition)| RecordCondition {
         record: record.name().to_owned(),
         speed_ratio: condition.speed_ratio,
@@ -93,6 +105,21 @@ fn differing_conditions(
     });
     Ok(explains
         .then(|| Doubt::ConditionsDiffer { conditions: all.collect(), p_value: test.p_value }))
+}
+
+/// Whether a derivative that counts is another than in the first record, by more than a model error of that size makes it.
+fn differs(condition: &Condition, free: &Fit) -> bool {
+    /// Smaller differences change no mode by more than a few per cent.
+    const MATTERS: f64 = 0.05;
+    /// A model error of eps moves derivatives by up to ten times as much: large angles of bank make g/U smaller, for one.
+    const TIMES_THE_MODEL_ERROR: f64 = 20.0;
+    const STANDARD_ERRORS: f64 = 4.0;
+    let error = free.model_error.map_or(0.0, |error| error.value);
+    let least = MATTERS.max(TIMES_THE_MODEL_ERROR * error);
+    NAMES.iter().zip(&condition.derivative_ratios).any(|(name, ratio)| {
+        let off = (ratio.value - 1.0).abs();
+        !UNIMPORTANT.contains(name) && off > least && off > STANDARD_ERRORS * ratio.standard_error
+    })
 }
 
 /// Whether the sensors are those of the equations.

@@ -179,8 +179,7 @@ impl Problem {
         let mut result = Evaluation {
             eliminated: Vec::with_capacity(layout.records),
             tangent: None,
-            // Without the hold's matrix there is no cost: NaN is never below anything.
-            cost: if hold.is_none() && layout.hold == Hold::FirstOrder { f64::NAN } else { 0.0 },
+            cost: 0.0,
             record_costs: Vec::with_capacity(layout.records),
             gram: DMatrix::zeros(p, p),
             descent: DVector::zeros(p),
@@ -192,6 +191,11 @@ impl Problem {
             system,
             coefficients,
         };
+        if hold.is_none() && layout.hold == Hold::FirstOrder {
+            // Without the hold's matrix there is no cost: NaN is never below anything.
+            result.cost = f64::NAN;
+            return result;
+        }
         for record in 0..layout.records {
             let sums = self.record_sums(
                 record,

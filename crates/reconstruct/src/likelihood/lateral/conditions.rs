@@ -18,6 +18,8 @@ use crate::{ReconstructError, Record};
 pub struct Condition {
     /// Its speed over that of the first record, from its dynamics.
     pub speed_ratio: Estimate,
+    /// Each derivative over that of the first record, in the order of [`Fit::derivatives`].
+    pub derivative_ratios: Vec<Estimate>,
     /// The modes of its own derivatives, a complex pair once.
     pub modes: Vec<Mode>,
 }
@@ -42,6 +44,8 @@ const EXPONENTS: [f64; NAMES.len()] = [1.0, -2.0, 0.0, -1.0, 2.0, 1.0, 1.0, 2.0,
 const OFF_THE_LAW: f64 = 0.1;
 /// The logarithm of a speed ratio is expected within this.
 const SPEEDS: f64 = 0.3;
+/// A cost so far above that with all entries free is no explanation: with ten degrees of freedom a probability of 1e-4.
+const REJECTED: f64 = 40.0;
 /// Unknowns of a record beside those of the first: speed, and how far each derivative is off its law.
 const OWN: usize = 1 + NAMES.len();
 /// Side force and angle of a control.
@@ -86,8 +90,9 @@ pub fn condition_test(
     let search = Conditions { singles, variances: &variances };
     let mut start = DVector::zeros(search.count());
     start.rows_mut(0, shared.len()).copy_from(shared);
-    let Some((before, found)) = search.minimise(start) else { return Ok(None) };
-    let gain = before - found.cost;
+    let Some((gain, found)) = search.minimise(start, evaluation.cost + REJECTED) else {
+        return Ok(None);
+    };
     let Some(covariance) = found.gram.clone().try_inverse() else { return Ok(None) };
     let known: f64 = (0..search.count()).map(|k| found.prior[k] * covariance[(k, k)]).sum();
     let free_numbers = free.identifiable as f64;
@@ -206,14 +211,19 @@ impl Conditions<'_> {
         Some(point)
     }
 
-    /// The lowest cost, and the one with a common condition, from the latter.
-    fn minimise(&self, start: DVector<f64>) -> Option<(f64, Point)> {
+    /// The lowest cost, and what it gains over a common condition; `None` where it stays above the ceiling.
+    fn minimise(&self, start: DVector<f64>, ceiling: f64) -> Option<(f64, Point)> {
         let first_own = self.first_own();
         let evaluate = |unknowns| self.evaluate(unknowns);
-        // Under this noise, which is not that of the fit from which the start is.
-        let shared = descend(self.evaluate(start)?, |k| k < first_own, evaluate);
-        let before = shared.cost;
-        Some((before, descend(shared, |_| true, evaluate)))
+        let own = descend(self.evaluate(start)?, ceiling, |_| true, evaluate);
+        if own.cost > ceiling {
+            return None;
+        }
+        let mut common = own.unknowns.clone();
+        common.rows_mut(first_own, self.count() - first_own).fill(0.0);
+        let is_common = |k| k < first_own;
+        let shared = descend(self.evaluate(common)?, f64::INFINITY, is_common, evaluate);
+        Some((shared.cost - own.cost, own))
     }
 
     fn condition(
@@ -234,13 +244,37 @@ impl Conditions<'_> {
             let standard_error = value * covariance[(own, own)].max(0.0).sqrt();
             Estimate { value, standard_error }
         });
-        Some(Condition { speed_ratio: ratio, modes })
+        let derivative_ratios =
+            (0..NAMES.len()).map(|k| self.derivative_ratio(record, k, found, covariance)).collect();
+        Some(Condition { speed_ratio: ratio, derivative_ratios, modes })
+    }
+
+    /// k^e (1 + off), to first order in both.
+    fn derivative_ratio(
+        &self,
+        record: usize,
+        derivative: usize,
+        found: &Point,
+        covariance: &DMatrix<f64>,
+    ) -> Estimate {
+        let Some(own) = self.own(record) else {
+            return Estimate { value: 1.0, standard_error: 0.0 };
+        };
+        let exponent = EXPONENTS[derivative];
+        let law = (exponent * found.unknowns[own]).exp();
+        let value = law * (1.0 + found.unknowns[own + 1 + derivative]);
+        let mut slope = DVector::zeros(self.count());
+        slope[own] = exponent * value;
+        slope[own + 1 + derivative] = law;
+        let variance = slope.dot(&(covariance * &slope));
+        Estimate { value, standard_error: variance.max(0.0).sqrt() }
     }
 }
 
-/// Levenberg-Marquardt over the unknowns that are free.
+/// Levenberg-Marquardt over the unknowns that are free; ends where it will stay above the ceiling.
 fn descend(
     start: Point,
+    ceiling: f64,
     is_free: impl Fn(usize) -> bool,
     evaluate: impl Fn(DVector<f64>) -> Option<Point>,
 ) -> Point {
@@ -250,6 +284,8 @@ fn descend(
     const MOST_DAMPING: f64 = 1e8;
     /// Of the cost, that the next step would gain.
     const TOLERANCE: f64 = 1e-2;
+    /// A cost that is not quadratic may fall by so many times what a quadratic one would.
+    const HOPE: f64 = 3.0;
     let mut here = start;
     let mut damping = FIRST_DAMPING;
     for _ in 0..STEPS {
@@ -272,7 +308,8 @@ fn descend(
                 continue;
             };
             let step = factor.solve(&slope);
-            if step.dot(&slope) < TOLERANCE {
+            let gain = step.dot(&slope);
+            if gain < TOLERANCE || here.cost - HOPE * gain > ceiling {
                 return here;
             }
             match evaluate(&here.unknowns + step.component_mul(&scale)) {

@@ -22,10 +22,10 @@ const RANGE_OF_Y_R: (f64, f64) = (-1.1, -0.9);
 /// The starts of a search, the most promising first.
 pub(super) fn starts(
     own: &LateralParameters,
-    models: &[SharedModel],
+    model: &SharedModel,
     spectra: &[RecordSpectrum],
 ) -> Vec<DVector<f64>> {
-    let mut starts: Vec<_> = models.iter().filter_map(|model| from_black_box(own, model)).collect();
+    let mut starts: Vec<_> = from_black_box(own, model).into_iter().collect();
     let of_null_vectors = from_null_vectors(own, spectra);
     let controls = starts.first().or(of_null_vectors.as_ref()).cloned();
     starts.extend(of_null_vectors);

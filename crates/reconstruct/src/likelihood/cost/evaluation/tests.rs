@@ -268,3 +268,12 @@ fn score_and_information_are_those_of_the_restricted_likelihood() {
     }
     assert!(here.information.clone().cholesky().is_some());
 }
+
+#[test]
+fn a_system_without_a_first_order_hold_has_no_cost() {
+    let (mut problem, system) = problem(false, false, false);
+    problem.layout.hold = Hold::FirstOrder;
+    let a = DMatrix::from_element(4, 4, f64::NAN);
+    let found = problem.evaluate(System { a, ..system }, &[1.0; 3]);
+    assert!(found.cost.is_nan());
+}
