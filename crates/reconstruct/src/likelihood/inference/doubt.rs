@@ -207,6 +207,9 @@ pub(crate) const IMPROBABLE: f64 = 1e-4;
 /// compete, and the residuals are only nearly chi-squared.
 const FAR_FROM_ONE: f64 = 6.0;
 
+/// A search that ends so close to its optimum, in standard errors, has arrived.
+const ARRIVED: f64 = 0.1;
+
 /// Two directions where there is one fit noise: chi-squared rises by about as much as there are parameters.
 const DIRECTIONS_APART: f64 = 3.0;
 
@@ -268,8 +271,10 @@ impl Fit {
         let mut doubts = Vec::new();
         let search = &self.search;
         // What is left to gain at rounding level is rounding errors.
-        if !matches!(search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel) {
-            let (status, remaining_step) = (search.status, search.remaining_step);
+        let ended =
+            matches!(search.status, SearchStatus::Converged | SearchStatus::AtRoundingLevel);
+        let (status, remaining_step) = (search.status, search.remaining_step);
+        if !ended && (remaining_step > ARRIVED || remaining_step.is_nan()) {
             doubts.push(Doubt::OptimumNotReached { status, remaining_step });
         } else if !search.levels_settled {
             doubts.push(Doubt::LevelsNotSettled { updates: search.level_updates });

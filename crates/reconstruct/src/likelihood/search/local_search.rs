@@ -118,13 +118,13 @@ pub(crate) fn optimise(
         search.evaluations += found.evaluations;
         search.remaining_step = found.remaining_step;
         let exhausted = matches!(found.status, SearchStatus::StepLimit | SearchStatus::GivenUp);
-        if !estimate_levels || exhausted || search.level_updates >= options.search.max_noise_updates
-        {
+        if !estimate_levels {
             break;
         }
         let (next, change) = noise_levels::updated(&evaluation, &variances, &problem.floors);
         search.levels_settled = change <= options.search.level_tolerance;
-        if search.levels_settled {
+        let updated_enough = search.level_updates >= options.search.max_noise_updates;
+        if search.levels_settled || exhausted || updated_enough {
             break;
         }
         variances = next;
