@@ -59,7 +59,7 @@ impl LateralParameters {
     }
 
     /// The parameters from derivatives, and Y, L and N of each control.
-    pub(crate) fn from_derivatives(
+    pub(crate) fn of_derivatives(
         &self,
         derivatives: &DVector<f64>,
         controls: &[[f64; MOMENTS]],

@@ -73,7 +73,7 @@ fn from_black_box(own: &LateralParameters, model: &SharedModel) -> Option<DVecto
     // Over one period a control moves the states by about T times its derivatives.
     let controls: Vec<_> =
         model.b.iter().map(|b| &states * b).map(|b| [b[0], b[1], b[2]]).collect();
-    let start = own.from_derivatives(&start, &controls);
+    let start = own.of_derivatives(&start, &controls);
     start.iter().all(|value| value.is_finite()).then_some(start)
 }
 
@@ -101,7 +101,7 @@ fn from_null_vectors(own: &LateralParameters, spectra: &[RecordSpectrum]) -> Opt
         let along = constant.transpose() * &rows;
         let mut rows = rows - constant * along;
         let sizes: Vec<f64> = rows.column_iter().map(|column| column.norm()).collect();
-        if sizes.iter().any(|size| !(*size > 0.0)) {
+        if sizes.iter().any(|size| *size <= 0.0 || size.is_nan()) {
             return None;
         }
         for (mut column, size) in rows.column_iter_mut().zip(&sizes) {
@@ -126,6 +126,6 @@ fn from_null_vectors(own: &LateralParameters, spectra: &[RecordSpectrum]) -> Opt
     }
     start[TAN_THETA] = USUAL_TAN;
     let controls: Vec<_> = rates.iter().map(|rate| [0.0, rate[1], -rate[0]]).collect();
-    let start = own.from_derivatives(&start, &controls);
+    let start = own.of_derivatives(&start, &controls);
     start.iter().all(|value| value.is_finite()).then_some(start)
 }

@@ -166,7 +166,7 @@ fn the_gradient_by_derivatives_is_that_of_the_cost() {
         let own = lateral(&records, &units, &problem.layout, PERIOD).unwrap();
         problem.lateral = Some(own.clone());
         let derivatives = DVector::from_column_slice(&DERIVATIVES);
-        let mut there = own.from_derivatives(&derivatives, &[AILERON, RUDDER]);
+        let mut there = own.of_derivatives(&derivatives, &[AILERON, RUDDER]);
         // Off the optimum.
         there[4] *= 1.02;
         there[11] += 0.01;
