@@ -46,6 +46,28 @@ use crate::{ReconstructError, Record};
 /// # Errors
 ///
 /// [`ReconstructError::Option`] for other sensors; [`ReconstructError::Start`] where no start has a finite likelihood; those of [`identify`](super::identify).
+///
+/// # Example
+///
+/// Flights of an aircraft with L_p = -2 1/s, the aileron moved in one and the rudder in the other.
+///
+/// ```
+#[doc = include_str!("../doctest/lateral_flights.md")]
+/// use reconstruct::likelihood::{Hold, identify_lateral, lateral_test};
+/// use reconstruct::output_error::Structure;
+/// use reconstruct::{Options, reconstruct};
+///
+/// let records = [flight("aileron", 9.0, -0.4, 1.0)?, flight("rudder", 1.2, -3.5, 1.0)?];
+/// let mut options = Options::default();
+/// options.structure = Structure::BlackBox;
+/// let found = reconstruct(&records, &options)?;
+/// let free = found.fit().ok_or("no likelihood")?;
+/// let lateral = identify_lateral(&records, free, &[Hold::ZeroOrder])?;
+/// assert!(lateral_test(&lateral, free) > 0.01);
+/// let l_p = lateral.derivatives.iter().find(|own| own.name == "L_p").ok_or("no L_p")?.estimate;
+/// assert!((l_p.value + 2.0).abs() < 3.0 * l_p.standard_error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn identify_lateral(
     records: &[Record],
     free: &Fit,

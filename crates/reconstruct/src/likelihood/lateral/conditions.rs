@@ -57,6 +57,29 @@ const CONTROL: usize = 2;
 /// # Errors
 ///
 /// Those of [`identify`](crate::likelihood::identify) for records and options.
+///
+/// # Example
+///
+/// The rudder is moved in a flight that is 15 % faster.
+///
+/// ```
+#[doc = include_str!("../../doctest/lateral_flights.md")]
+/// use reconstruct::likelihood::{Hold, condition_test, identify_lateral};
+/// use reconstruct::output_error::Structure;
+/// use reconstruct::{Options, reconstruct};
+///
+/// let records = [flight("aileron", 9.0, -0.4, 1.0)?, flight("rudder", 1.2, -3.5, 1.15)?];
+/// let mut options = Options::default();
+/// options.structure = Structure::BlackBox;
+/// let found = reconstruct(&records, &options)?;
+/// let free = found.fit().ok_or("no likelihood")?;
+/// let lateral = identify_lateral(&records, free, &[Hold::ZeroOrder])?;
+/// let test = condition_test(&records, &lateral, free)?.ok_or("no such fit")?;
+/// assert!(test.p_value < 1e-4 && test.p_value_of_equations > 1e-3);
+/// let ratio = test.conditions[1].speed_ratio;
+/// assert!((ratio.value - 1.15).abs() < 3.0 * ratio.standard_error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn condition_test(
     records: &[Record],
     lateral_fit: &Fit,
