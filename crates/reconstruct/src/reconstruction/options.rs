@@ -66,7 +66,8 @@ pub struct Options {
     pub inputs: RecordedInputs,
     /// Whether something else than the recorded inputs excited the system.
     pub excitation: Excitation,
-    /// The form of the equations where all inputs were recorded.
+    /// The form of the equations, for [`Method::MaximumLikelihood`] and [`Method::OutputError`]: by default the lateral ones where the sensors are beta, p, r (and phi) and the records
+    /// do not reject them.
     pub structure: Structure,
     /// The lag of each sensor where all inputs were recorded; empty, the default, for none.
     pub sensor_lags: Vec<Lag>,

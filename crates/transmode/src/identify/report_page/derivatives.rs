@@ -17,7 +17,7 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
         return Ok(Vec::new());
     };
     let mut blocks =
-        vec![Block::section("Form of the equations"), Block::paragraph(format!("{form}."))];
+        vec![Block::section("Form of the equations"), Block::paragraph(format!("The form used: {form}."))];
     if !fit.derivatives.is_empty() {
         blocks.extend(dimensional(&fit.derivatives, &fit.correlations)?);
     }
