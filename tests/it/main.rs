@@ -21,6 +21,7 @@ mod identify_records;
 mod inspect;
 mod layering;
 mod monitor;
+mod oversampled;
 mod pages;
 mod program;
 mod recorded_inputs;

@@ -38,8 +38,13 @@ pub(super) fn read(
         let names = record.channels().iter().map(|channel| channel.name.clone());
         options.selection.outputs = names.collect();
     }
-    let Loaded { records, known_inputs, warnings, .. } =
+    let Loaded { records, known_inputs, mut warnings, .. } =
         records::load(&args.validate, &options, progress)?;
+    for warning in &mut warnings {
+        if let LoadWarning::Bridged { interpolated, .. } = warning {
+            *interpolated = true;
+        }
+    }
     let same = |record: &Record| {
         let (own, other) = (record.period().seconds(), input.records[0].period().seconds());
         (own - other).abs() <= 1e-3 * other

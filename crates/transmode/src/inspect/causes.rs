@@ -66,11 +66,15 @@ pub(crate) fn causes(record: &Record, units: &[Option<&'static str>], start_s: f
             ),
             Some(Verdict::Time | Verdict::NotRead { .. }) | None => {}
         }
-        if let Some((value, count)) = own.signal.saturated {
+        let cut_off = &own.signal.cut_off;
+        if !cut_off.is_empty() {
+            let count: usize = cut_off.iter().map(|(_, count)| count).sum();
             let part = rounded(100.0 * count as f64 / samples, 2);
+            let ends: Vec<String> =
+                cut_off.iter().map(|(end, _)| rounded(*end, 4).to_string()).collect();
             add(
                 "saturated",
-                format!("is cut off at {} in {part} % of its samples", rounded(value, 4)),
+                format!("is cut off at {} in {part} % of its samples", ends.join(" and ")),
             );
         }
         let stands = !matches!(own.verdict, Some(Verdict::Held { .. } | Verdict::Counter));
@@ -91,3 +95,6 @@ pub(crate) fn causes(record: &Record, units: &[Option<&'static str>], start_s: f
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

