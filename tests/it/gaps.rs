@@ -160,3 +160,31 @@ fn long_gaps_split_and_so_do_short_ones_on_demand() {
     assert_eq!(ran.exit, Exit::BadInput);
     assert!(ran.err.contains("the longest gap that is bridged is a number of seconds, 0 for none"));
 }
+
+#[test]
+fn a_quiet_record_may_lose_rows() {
+    let folder = Folder::new();
+    let place = folder.path("gusts");
+    let place = place.to_str().unwrap();
+    let words =
+        ["simulate", "paper", "--gust", "0.002", "--with-quiet", "--seed", "3", "-o", place];
+    assert_eq!(transmode(&words).exit, Exit::Fine);
+    let identify = |quiet: &str| {
+        let files = ["aileron", "rudder"].map(|surface| format!("{place}/{surface}.csv"));
+        let words = ["identify", &files[0], &files[1], "--noise-record", quiet, "--json", "-"];
+        let ran = transmode(&words);
+        assert_eq!(ran.err, "");
+        serde_json::from_str::<Value>(&ran.out).unwrap()
+    };
+    let quiet = format!("{place}/quiet.csv");
+    let complete = identify(&quiet);
+    let text = std::fs::read_to_string(&quiet).unwrap();
+    let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let (kept, lost) = with_losses(&lines, 3);
+    let found = identify(&folder.file("lossy.csv", kept.join("\n") + "\n"));
+    assert_eq!(codes(&found).iter().filter(|code| **code == "bridged").count(), 1);
+    assert!(!codes(&found).contains(&"longest-stretch"), "{:#}", found["warnings"]);
+    let text = found["warnings"][0]["text"].as_str().unwrap();
+    assert!(text.starts_with(&format!("lossy.csv: {lost} rows in gaps")), "{text}");
+    agree(&found, &complete, 1.0);
+}

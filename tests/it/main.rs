@@ -22,6 +22,7 @@ mod inspect;
 mod lateral;
 mod layering;
 mod monitor;
+mod oversampled;
 mod pages;
 mod program;
 mod recorded_inputs;

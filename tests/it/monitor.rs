@@ -146,9 +146,12 @@ fn models_that_cannot_be() {
 #[test]
 fn a_stretch_too_short_for_a_span_is_left_out_with_a_warning() {
     let (folder, [reference, new, _]) = flights();
-    // Rows 60 and 2000 are missing: stretches of 60, 1939 and 1999 samples, of which the first has no span.
+    // Rows 60 to 65 and 2000 to 2005 are missing: stretches of 60, 1934 and 1994 samples, of which the first has no span.
     let text = std::fs::read_to_string(&new).unwrap();
-    let rows = text.lines().enumerate().filter(|(line, _)| ![61, 2001].contains(line));
+    let rows = text
+        .lines()
+        .enumerate()
+        .filter(|(line, _)| !(61..67).contains(line) && !(2001..2007).contains(line));
     let file = folder.file("gaps.csv", rows.map(|(_, row)| format!("{row}\n")).collect::<String>());
     let words = ["monitor", "--reference", &reference, &file, "--false-alarms", "1e-5"];
     let ran = transmode(&[&words[..], &["--json", "-"]].concat());
@@ -164,11 +167,45 @@ fn a_stretch_too_short_for_a_span_is_left_out_with_a_warning() {
     assert!(text.starts_with(expected), "{text}");
     // Nothing is left to watch.
     let short = std::fs::read_to_string(&new).unwrap();
-    let rows = short.lines().take(140).enumerate().filter(|(line, _)| *line != 70);
+    let rows = short.lines().take(140).enumerate().filter(|(line, _)| !(70..76).contains(line));
     let file =
         folder.file("short.csv", rows.map(|(_, row)| format!("{row}\n")).collect::<String>());
     transmode(&["monitor", "--reference", &reference, &file])
         .refused("short.csv#1: its 69 samples are too few for one span");
+}
+
+#[test]
+fn rows_that_are_missing_cost_no_span_and_hide_no_fault() {
+    let (folder, [reference, new, _]) = flights();
+    // Two of three 47th rows, of the reference as well.
+    let lossy = |file: &str, name: &str| {
+        let text = std::fs::read_to_string(file).unwrap();
+        let rows =
+            text.lines().enumerate().filter(|(line, _)| line % 47 != 40 || line / 47 % 3 == 0);
+        folder.file(name, rows.map(|(_, row)| format!("{row}\n")).collect::<String>())
+    };
+    let [reference, healthy] = [lossy(&reference, "reference.csv"), lossy(&new, "healthy.csv")];
+    let faulty = changed(&folder, &new, 3, |value, _| value + 0.1);
+    let faulty = lossy(&faulty, "faulty.csv");
+    let words = ["monitor", "--reference", &reference, "--false-alarms", "1e-4", "--json", "-"];
+    let ran = transmode(&[&words[..], &[&healthy, &faulty]].concat());
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Doubtful, ""), "{}", ran.out);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    let records = found["records"].as_array().unwrap();
+    assert_eq!(records.len(), 2);
+    for record in records {
+        let spans = record["spans"].as_array().unwrap().len();
+        assert!((70..80).contains(&spans), "{spans}");
+        assert_eq!(record["spans_not_judged"], 0);
+    }
+    assert_eq!(records[0]["alarm"], Value::Null);
+    let time = records[1]["alarm"]["time_s"].as_f64().unwrap();
+    assert!((200.0..225.0).contains(&time), "{time}");
+    let warnings = found["warnings"].as_array().unwrap();
+    assert!(warnings.iter().all(|warning| warning["code"] == "bridged"), "{warnings:#?}");
+    // Where each gap splits, hardly a span is left.
+    let ran = transmode(&[&words[..], &[&healthy, "--bridge", "0"]].concat());
+    assert_eq!(ran.exit, Exit::BadInput, "{}", ran.out);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use crate::features::{Features, features};
 use crate::statistics::Healthy;
-use crate::stretch::longest_run;
+use crate::stretch::{complete, longest_run};
 use crate::{Link, MonitorError, Stretch, Test, Whitening, Window};
 
 /// The weight of the newest window in the mean that the next one is compared with: it remembers about five.
@@ -55,7 +55,7 @@ impl Detector {
             let mut baseline = Baseline::default();
             for features in features(&links, &whitenings, stretch, options.window)? {
                 jumps.extend(baseline.jump(&features.level));
-                spreads.push(features.spread);
+                spreads.push(features);
             }
         }
         let (found, needed) = (jumps.len(), 2 * links.len() + SPARE_WINDOWS);
@@ -63,6 +63,10 @@ impl Detector {
             let (window, links) = (options.window, links.len());
             return Err(MonitorError::TooFewWindows { found, needed, window, links });
         }
+        let as_read: Vec<_> = spreads.iter().map(|features| features.spread.clone()).collect();
+        let usual = Healthy::of(&as_read)?;
+        let as_whole = |features: &Features| features.spread_as_whole(usual.mean(), options.window);
+        let spreads: Vec<_> = spreads.iter().map(as_whole).collect();
         let (level, spread) = (Healthy::of(&jumps)?, Healthy::of(&spreads)?);
         let channels = healthy.iter().map(Vec::len).min().unwrap_or(0);
         let longest = |channel: usize| {
@@ -80,7 +84,7 @@ impl Detector {
         })
     }
 
-    /// The tests of all whole windows, in order of time. What is left at the end of a stretch is not judged.
+    /// The tests of all whole windows, in order of time. What is left at the end of a stretch is not judged, nor are windows of which missing samples leave less than half.
     ///
     /// # Errors
     ///
@@ -104,13 +108,14 @@ impl Detector {
         };
         let zero = || DVector::zeros(self.links.len());
         let level = jump.as_ref().map_or_else(zero, |jump| self.level.scaled(jump));
-        let spread = self.spread.scaled(&features.spread);
+        let as_whole = features.spread_as_whole(self.spread.mean(), self.options.window);
+        let spread = self.spread.scaled(&as_whole);
         let ahead = self.links.iter().map(Link::look_ahead).max().unwrap_or(0);
         Window {
             stretch,
             first: features.first,
             known_at: features.first + self.options.window - 1 + ahead,
-            tests: [test(&self.level, jump.as_ref()), test(&self.spread, Some(&features.spread))],
+            tests: [test(&self.level, jump.as_ref()), test(&self.spread, Some(&as_whole))],
             deviations: level.iter().zip(spread.iter()).map(|(x, y)| [*x, *y]).collect(),
             means: self.level.in_deviations(&features.level).iter().copied().collect(),
         }
@@ -143,6 +148,12 @@ impl Detector {
         });
         let ahead = self.links.iter().map(Link::look_ahead).max().unwrap_or(0);
         before.max().unwrap_or(0) + ahead
+    }
+
+    /// The number of whole windows in a stretch of so many samples, those included that missing samples keep from being judged.
+    #[must_use]
+    pub fn windows_in(&self, samples: usize) -> usize {
+        samples.saturating_sub(self.margin()) / self.options.window
     }
 
     /// What a single transmissibility's squared deviation exceeds as often as a test of all of them.
@@ -188,8 +199,8 @@ fn check<'a>(
 
 fn whitening(link: &Link, training: &[Stretch<'_>]) -> Result<Whitening, MonitorError> {
     let mut residuals = Vec::new();
-    for stretch in training {
-        residuals.extend(link.residual(stretch)?.map(|residual| residual.values));
+    for stretch in training.iter().flat_map(complete) {
+        residuals.extend(link.residual(&stretch)?.map(|residual| residual.values));
     }
     if residuals.is_empty() {
         return Err(MonitorError::NoTraining);

@@ -22,10 +22,14 @@
 //! before, so that what is slow in healthy residuals (a slow mode that the model does not quite explain) is followed rather than taken for a fault; it sees jumps, and drifts that are
 //! faster than that. [`TestKind::Spread`] is on the variances.
 //!
+//! Samples may be missing: they are NaN in a [`Stretch`]. Each is one more unknown of the windows that it reaches, costs them one degree of freedom, and leaves the rate of
+//! false alarms as it is; a window of which less than half is left is not judged. What was learnt of the windows before stays.
+//!
 //! The rate is that of one window of a healthy record that is excited as the reference was.
 //!
 //! | item | what it does |
 //! |---|---|
+//! | [`Stretch`], [`complete`] | channels, and the parts of them without missing samples |
 //! | [`Link`] | a transmissibility between two channels |
 //! | [`Detector::calibrate`] | limits from healthy records |
 //! | [`Detector::watch`] | the tests of each window of new data |
@@ -37,6 +41,7 @@ mod diagnosis;
 mod error;
 mod features;
 mod link;
+mod missing;
 mod statistics;
 mod stretch;
 mod whitening;
@@ -46,6 +51,6 @@ pub use detector::{Detector, Options};
 pub use diagnosis::{Change, Diagnosis};
 pub use error::MonitorError;
 pub use link::Link;
-pub use stretch::Stretch;
+pub use stretch::{Stretch, complete};
 pub use whitening::Whitening;
 pub use window::{Test, TestKind, Window};

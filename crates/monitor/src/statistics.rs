@@ -40,6 +40,10 @@ impl Healthy {
         self.observations
     }
 
+    pub(crate) fn mean(&self) -> &DVector<f64> {
+        &self.mean
+    }
+
     /// T^2 of a new observation: n/(n + 1) (x - mean)' S^-1 (x - mean).
     pub(crate) fn distance(&self, x: &DVector<f64>) -> f64 {
         let off = x - &self.mean;

@@ -44,6 +44,7 @@ pub use inference::fit::{Contrast, Fit, Rival};
 pub use inference::fitted_transmissibility::{FittedTransmissibility, fitted_transmissibilities};
 pub use inference::goodness_of_fit::{ChiSquared, Whiteness};
 pub use inference::model_error_test::{ModelErrorTest, model_error_test};
+pub use inference::near_double::NearDouble;
 pub use inference::offset_estimates::offset_estimates;
 pub use inference::offset_test::OffsetTest;
 pub use inference::profile_likelihood::profile_intervals;

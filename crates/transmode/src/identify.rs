@@ -3,8 +3,10 @@
 mod coefficients;
 mod config;
 mod doubts;
+mod held_out;
 mod input;
 mod json;
+mod near_double;
 mod options;
 mod outcome;
 mod refusal;
@@ -21,7 +23,8 @@ use crate::args::{Given, IdentifyArgs};
 use crate::error::OptionError;
 use crate::records::Progress;
 use crate::{CommandError, Exit, modes, output};
-use input::{HeldOut, Input};
+use held_out::HeldOut;
+use input::Input;
 use outcome::{FlyingQualitiesCase, Outcome, Prediction};
 
 /// Reads the records, reconstructs the modes and writes them.
@@ -52,10 +55,11 @@ pub(crate) fn run(
         report_page::check_place(folder)?;
     }
     let read = input::read(&args, progress)?;
-    let held_out = input::validation(&args, &read, progress)?;
-    let Input { records, sources, known_inputs, noise, warnings } = read;
+    let mut held_out = held_out::read(&args, &read, progress)?;
+    let Input { records, sources, known_inputs, noise, decimation, causes, mut warnings } = read;
+    warnings.append(&mut held_out.warnings);
     let noise_name = noise.as_ref().map(|record| record.name().to_owned());
-    let options = options::options(&args, &records, noise, known_inputs)?;
+    let options = options::options(&args, decimation, &records, noise, known_inputs)?;
     let searching = progress.work("searching for the modes");
     let mut result = reconstruct(&records, &options)
         .map_err(|error| refusal::sentence(&error, noise_name.as_deref()))?;
@@ -80,6 +84,8 @@ pub(crate) fn run(
         warnings: &warnings,
         predictions: &predictions,
         coefficients: &coefficients,
+        decimation,
+        causes: &causes,
     };
 
     let drawn = match &args.report {
@@ -106,7 +112,7 @@ pub(crate) fn run(
 
 /// What the model makes of records that the fit did not see; an error where the result has no model with inputs.
 fn predictions(
-    HeldOut { records, inputs: signals }: HeldOut,
+    HeldOut { records, inputs: signals, .. }: HeldOut,
     options: &Options,
     result: &Reconstruction,
 ) -> Result<Vec<Prediction>, CommandError> {

@@ -1,5 +1,6 @@
 //! `transmode inspect`: what is in files, what is wrong with them, and how to go on.
 
+mod causes;
 mod file;
 mod json;
 mod mapping;
@@ -9,6 +10,8 @@ mod verdict;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
+
+pub(crate) use causes::{Cause, causes};
 
 use crate::args::InspectArgs;
 use crate::records::{self, Progress};

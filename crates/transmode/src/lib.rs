@@ -3,6 +3,7 @@
 //! [`run`] takes the words of a command line and two places to write to, and returns the exit code. All files that the product reads or
 //! writes are read or written here; the crates below compute.
 
+mod aircraft_file;
 mod args;
 mod colors;
 mod error;

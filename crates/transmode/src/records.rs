@@ -17,7 +17,8 @@ mod clock_fit;
 mod clock_unit;
 mod common_period;
 pub(crate) mod copies;
-pub(crate) mod decimation;
+mod decimated;
+mod decimation;
 pub(crate) mod format;
 pub(crate) mod format_error;
 mod hdf5;
@@ -30,6 +31,7 @@ pub(crate) mod npy;
 mod npz;
 pub(crate) mod open;
 pub(crate) mod options;
+pub(crate) mod oversampling;
 pub(crate) mod pair;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -12,6 +12,7 @@ use monitor::Detector;
 use reconstruct::Record;
 
 use crate::args::MonitorArgs;
+use crate::records::bridging::Bridge;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress};
 use crate::{CommandError, Exit, output};
 use outcome::{MonitorOutcome, Watched};
@@ -31,6 +32,9 @@ pub(crate) fn run(
     let models =
         args.model.iter().map(|file| model_file::read(file)).collect::<Result<Vec<_>, _>>()?;
     let mut options = args.files.options();
+    options.bridge = args.bridge.map_or(Bridge::Usual, Bridge::UpTo);
+    // Each window has unknowns of its own: there may be any number of them.
+    options.most_missing = usize::MAX;
     if options.selection.outputs.is_empty() {
         options.selection.outputs = model_file::sensors(&models);
     }
@@ -82,12 +86,14 @@ fn watch(
     start_s: f64,
 ) -> Result<Option<Watched>, CommandError> {
     let fault = |message: String| CommandError::InFile { file: record.name().into(), message };
-    let stretches = [reference::stretch(record)];
+    let channels = reference::marked(record);
+    let stretches = [reference::stretch(&channels)];
     let windows = detector.watch(&stretches).map_err(|error| fault(error.to_string()))?;
-    if windows.is_empty() {
+    let not_judged = detector.windows_in(record.samples()) - windows.len();
+    if windows.is_empty() && not_judged == 0 {
         return Ok(None);
     }
     let diagnosis =
         detector.diagnose(&windows, &stretches).map_err(|error| fault(error.to_string()))?;
-    Ok(Some(Watched { name: record.name().to_owned(), start_s, windows, diagnosis }))
+    Ok(Some(Watched { name: record.name().to_owned(), start_s, windows, not_judged, diagnosis }))
 }

@@ -42,7 +42,7 @@ impl Study for SimulatorStudy {
     fn kinds(&self) -> Vec<Kind> {
         let of_all =
             |motion, recorded| Aircraft::ALL.map(|aircraft| Kind { motion, aircraft, recorded });
-        let without = Motion::RECONSTRUCTED.into_iter().flat_map(|motion| of_all(motion, false));
+        let without = Motion::RECONSTRUCTED.iter().flat_map(|motion| of_all(*motion, false));
         let with = Motion::RECORDED.into_iter().flat_map(|motion| of_all(motion, true));
         without.chain(with).collect()
     }

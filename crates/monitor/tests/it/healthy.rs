@@ -66,3 +66,37 @@ fn as_many_as_stated_whatever_the_colour_of_the_excitation() {
     check(Excitation::Autoregressive, &ALL_PAIRS, [4_000, 10_000]);
     check(Excitation::LowPass, &ALL_PAIRS, [20_000, 10_000]);
 }
+
+/// Without one row in fifty of all channels.
+fn with_losses(channels: &mut [Vec<f64>], seed: u64) {
+    let mut state = seed;
+    for k in 1..channels[0].len() - 1 {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        if (state >> 33).is_multiple_of(50) {
+            channels.iter_mut().for_each(|channel| channel[k] = f64::NAN);
+        }
+    }
+}
+
+#[test]
+fn as_many_as_stated_where_rows_are_missing_and_hardly_a_window_less() {
+    let options = Options { window: 50, false_alarms: RATE };
+    let simulator = Simulator::new(Excitation::White, 30.0);
+    let (mut alarms, mut by_test, mut windows, mut whole) = (0.0, [0; 2], 0.0, 0.0);
+    for seed in 0..FLIGHTS {
+        let reference = channels(&simulator.fly(20_000, 2 * seed));
+        let detector = detector(&reference, &ALL_PAIRS, options);
+        let mut new = channels(&simulator.fly(10_000, 2 * seed + 1));
+        whole += detector.watch(&[part(&new, 0..10_000)]).unwrap().len() as f64;
+        with_losses(&mut new, seed);
+        let found = detector.watch(&[part(&new, 0..10_000)]).unwrap();
+        windows += found.len() as f64;
+        alarms += found.iter().filter(|window| window.alarm().is_some()).count() as f64;
+        for (kind, times) in by_test.iter_mut().enumerate() {
+            *times += found.iter().filter(|window| window.tests[kind].is_alarm()).count();
+        }
+    }
+    assert!(is_binomial(alarms, windows, RATE), "{alarms} {by_test:?} of {windows}");
+    assert!(windows > 0.98 * whole, "{windows} of {whole}");
+}

@@ -6,6 +6,7 @@
 //! | `doubt.rs` | reasons to doubt it |
 //! | `uncertainty.rs` | covariances of parameters and modes |
 //! | `derivatives.rs` | derivatives of the lateral equations with standard errors and correlations |
+//! | `near_double.rs` | eigenvalues that are hardly told apart |
 //! | `profile_likelihood.rs` | intervals of real modes from the likelihood itself |
 //! | `offset_estimates.rs` | offsets that were left free |
 //! | `goodness_of_fit.rs`, `offset_test.rs`, `model_error_test.rs`, `chi_squared.rs` | chi-squared, whiteness, offsets, residuals that follow the signal |
@@ -20,6 +21,7 @@ pub(crate) mod fit;
 pub(crate) mod fitted_transmissibility;
 pub(crate) mod goodness_of_fit;
 pub(crate) mod model_error_test;
+pub(crate) mod near_double;
 pub(crate) mod offset_estimates;
 pub(crate) mod offset_test;
 pub(crate) mod profile_likelihood;

@@ -12,7 +12,7 @@ use crate::ReconstructError;
 ///
 /// A quiet record is one in which nobody moves the controls on purpose: what the sensors read there is turbulence and sensor noise alone. Its
 /// spectrum S(z) = F(z)^-1 Sigma F(z)^-H, F(z) = I - A_1 z^-1 - .. - A_p z^-p, tells the likelihood how to weigh frequencies and sensors. Means are
-/// taken off first: a constant belongs to the offsets.
+/// taken off first: a constant belongs to the offsets. Where samples are missing, the equations that they are in are left out.
 ///
 /// Source: Lutkepohl, New Introduction to Multiple Time Series Analysis (2005), 3.2 (least squares) and 4.3 (choice of the order).
 ///
@@ -60,23 +60,41 @@ impl VectorAutoregression {
     /// [`ReconstructError::Noise`] where the record has fewer than 2 m equations per unknown row, m p + 1, or where its samples do not determine the
     /// fit: a channel that is constant, or the copy of another.
     pub fn fit(record: &Record, order: AutoregressionOrder) -> Result<Self, ReconstructError> {
-        let largest = match order {
+        let mut largest = match order {
             AutoregressionOrder::Fixed(order) => order,
             AutoregressionOrder::Akaike { largest } => largest,
         };
         let sensors = record.channels().len();
         let (samples, unknowns) =
             (record.samples(), largest.saturating_mul(sensors).saturating_add(1));
-        if samples < largest.saturating_add(unknowns.saturating_mul(2)) {
-            return Err(fault(format!(
-                "record {:?} has {samples} samples, an autoregression of order {largest} with {sensors} sensors needs {}",
+        let equations_needed = unknowns.saturating_mul(2);
+        let too_few = |what: &str, largest: usize, needed: usize| {
+            fault(format!(
+                "record {:?} has {what}, an autoregression of order {largest} with {sensors} sensors needs {needed}",
                 record.name(),
-                largest.saturating_add(unknowns.saturating_mul(2))
-            )));
+            ))
+        };
+        if samples < largest.saturating_add(equations_needed) {
+            let needed = largest.saturating_add(equations_needed);
+            return Err(too_few(&format!("{samples} samples"), largest, needed));
         }
         let signals = standardised(record)?;
-        let factor = triangle(&signals, largest);
-        let equations = (samples - largest) as f64;
+        let mut rows = complete_equations(&signals, largest);
+        // Missing samples leave few long runs: of the orders that may be chosen, those are tried that they allow.
+        while matches!(order, AutoregressionOrder::Akaike { .. })
+            && largest > 0
+            && rows.len() < 2 * (largest * sensors + 1)
+        {
+            largest -= 1;
+            rows = complete_equations(&signals, largest);
+        }
+        if rows.len() < 2 * (largest * sensors + 1) {
+            let found = rows.len();
+            let what = format!("{found} runs of {} samples of which none is missing", largest + 1);
+            return Err(too_few(&what, largest, 2 * (largest * sensors + 1)));
+        }
+        let factor = triangle(&signals, largest, &rows);
+        let equations = rows.len() as f64;
         let fit = |order: usize| solve(&factor, order, largest, sensors, equations);
         let (coefficients, innovation) = match order {
             AutoregressionOrder::Fixed(order) => fit(order),
@@ -156,23 +174,24 @@ impl VectorAutoregression {
     }
 }
 
-/// A channel without its mean, of unit deviation.
+/// A channel without its mean, of unit deviation; NaN where a sample is missing.
 struct Signal {
     values: Vec<f64>,
     unit: f64,
 }
 
 fn standardised(record: &Record) -> Result<Vec<Signal>, ReconstructError> {
-    let number = record.samples() as f64;
     record
-        .channels()
+        .marked()
         .iter()
         .map(|channel| {
-            let mean = channel.values.iter().map(|value| value / number).sum::<f64>();
+            let present: Vec<f64> =
+                channel.values.iter().copied().filter(|value| !value.is_nan()).collect();
+            let number = present.len() as f64;
+            let mean = present.iter().map(|value| value / number).sum::<f64>();
             let centred: Vec<f64> = channel.values.iter().map(|value| value - mean).collect();
-            let unit = rms(&centred);
-            let constant =
-                channel.values.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq());
+            let unit = rms(&present.iter().map(|value| value - mean).collect::<Vec<f64>>());
+            let constant = present.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq());
             if constant || !unit.is_finite() {
                 return Err(fault(format!(
                     "channel {:?} of record {:?} is constant",
@@ -185,30 +204,40 @@ fn standardised(record: &Record) -> Result<Vec<Signal>, ReconstructError> {
         .collect()
 }
 
-/// The triangular factor of [v(k-1)', .., v(k-p)', v(k)'], k = p .. N-1, gathered in blocks of rows so that memory does not grow with N.
-fn triangle(signals: &[Signal], largest: usize) -> DMatrix<f64> {
+/// The k = p .. N-1 for which v(k-p) .. v(k) are all there.
+fn complete_equations(signals: &[Signal], largest: usize) -> Vec<usize> {
+    let samples = signals.first().map_or(0, |signal| signal.values.len());
+    let mut complete = 0;
+    let mut found = Vec::new();
+    for k in 0..samples {
+        let is_there = signals.iter().all(|signal| !signal.values[k].is_nan());
+        complete = if is_there { complete + 1 } else { 0 };
+        if complete > largest {
+            found.push(k);
+        }
+    }
+    found
+}
+
+/// The triangular factor of [v(k-1)', .., v(k-p)', v(k)'] for these k, gathered in blocks of rows so that memory does not grow with N.
+fn triangle(signals: &[Signal], largest: usize, equations: &[usize]) -> DMatrix<f64> {
     let sensors = signals.len();
     let columns = sensors * (largest + 1);
-    let samples = signals[0].values.len();
-    let block = 4 * columns;
     let mut factor = DMatrix::<f64>::zeros(0, columns);
-    let mut first = largest;
-    while first < samples {
-        let rows = block.min(samples - first);
-        let mut stacked = DMatrix::zeros(factor.nrows() + rows, columns);
+    for block in equations.chunks(4 * columns) {
+        let mut stacked = DMatrix::zeros(factor.nrows() + block.len(), columns);
         stacked.rows_mut(0, factor.nrows()).copy_from(&factor);
-        for row in 0..rows {
+        for (row, k) in block.iter().enumerate() {
             for lag in 0..=largest {
                 // Past samples first, the present one last.
                 let column = if lag == 0 { largest } else { lag - 1 };
                 for (sensor, signal) in signals.iter().enumerate() {
                     stacked[(factor.nrows() + row, column * sensors + sensor)] =
-                        signal.values[first + row - lag];
+                        signal.values[k - lag];
                 }
             }
         }
         factor = stacked.qr().r();
-        first += rows;
     }
     factor
 }

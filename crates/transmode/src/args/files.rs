@@ -12,7 +12,7 @@ use crate::records::{LoadOptions, Selection, Window};
 /// Files and what of them becomes records.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct FileArgs {
-    /// The records: text (.csv, .tsv, .txt, .lvm, also .gz and .zst), MATLAB (.mat), HDF5, NumPy (.npy, .npz), PX4 (.ulg).
+    /// The records: text (.csv, .tsv, .txt, .lvm, also .gz and .zst), MATLAB (.mat), HDF5, NumPy (.npy, .npz).
     #[arg(num_args = 1.., value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
 
@@ -38,7 +38,7 @@ pub(crate) struct FileArgs {
     #[arg(long, value_name = "FILE:START:END", value_parser = Window::parse, value_hint = ValueHint::FilePath)]
     pub(crate) window: Vec<Window>,
 
-    /// Keep every K-th sample, behind a low-pass filter that takes about 13 of them at either end.
+    /// Keep every K-th sample, behind a low-pass filter that takes about 13 of them at either end; 1 keeps all [default: 1; for identify without --inputs more where the records are sampled far faster than anything in them moves].
     #[arg(long, value_name = "K", value_parser = factor, allow_negative_numbers = true)]
     pub(crate) decimate: Option<NonZero<usize>>,
 }

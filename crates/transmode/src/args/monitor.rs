@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::ValueHint;
 
 use super::files::FileArgs;
+use crate::records::options::bridge;
 
 /// Tells whether the sensors of new records still go together as those of a healthy one did.
 ///
@@ -28,6 +29,10 @@ pub(crate) struct MonitorArgs {
     /// Length of what is tested at once, in seconds [default: 50 samples].
     #[arg(long, value_name = "SECONDS", value_parser = span, allow_negative_numbers = true)]
     pub(crate) span: Option<f64>,
+
+    /// Gaps of up to so many seconds are missing samples inside one record; longer ones split it [default: three samples, or 0.25 s where that is more].
+    #[arg(long, value_name = "SECONDS", value_parser = bridge, allow_negative_numbers = true)]
+    pub(crate) bridge: Option<f64>,
 
     /// The chance that one span of a healthy record raises an alarm; or how many in an hour, as 0.5/hour.
     #[arg(long, value_name = "RATE", default_value = "1e-3", value_parser = Rate::parse, allow_negative_numbers = true)]

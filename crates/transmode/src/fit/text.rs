@@ -45,6 +45,13 @@ pub(super) fn render(outcome: &FitOutcome, warnings: &[Warning]) -> String {
         short(fit.condition),
         short(fit.expected_error),
     );
+    if outcome.missing > 0 {
+        let reach = structure.orders.samples_needed(1);
+        let _ = writeln!(
+            text,
+            "gaps: an equation reaches over {reach} samples, and those that touch a missing one are left out"
+        );
+    }
     let _ = writeln!(
         text,
         "residual: root mean square {}, relative {}",

@@ -8,6 +8,8 @@ use reconstruct::output_error::{Derivative, Fit};
 use serde::Deserialize;
 
 use crate::CommandError;
+use crate::aircraft_file::{self, InertiaFields};
+use crate::error::in_file;
 
 /// A coefficient with its standard error.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,28 +38,12 @@ struct GeometryFields {
     true_airspeed_ft_s: f64,
 }
 
-#[derive(Deserialize)]
-#[serde(remote = "Inertia", deny_unknown_fields)]
-struct InertiaFields {
-    ixx_slug_ft2: f64,
-    izz_slug_ft2: f64,
-    ixz_slug_ft2: f64,
-}
-
 /// The coefficients of a fit of the lateral equations; none of a black box.
 pub(super) fn coefficients(file: &Path, fit: &Fit) -> Result<Vec<Coefficient>, CommandError> {
-    let text = std::fs::read_to_string(file)
-        .map_err(|source| CommandError::Read { file: file.to_owned(), source })?;
-    let fault = |message: String| CommandError::InFile { file: file.to_owned(), message };
-    let is_json = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
-    let described: Description = if is_json {
-        serde_json::from_str(&text).map_err(|error| fault(error.to_string()))?
-    } else {
-        toml::from_str(&text).map_err(|error| fault(error.message().to_owned()))?
-    };
+    let described: Description = aircraft_file::read(file)?;
     let scale = |by: By| {
         nondimensional(&described.geometry, &described.inertia, by)
-            .map_err(|error| fault(error.to_string()))
+            .map_err(|error| in_file(file, &error))
     };
     let (angle, rate) = (scale(By::Angle)?, scale(By::Rate)?);
     // Each variable with its derivatives Y, L, N.

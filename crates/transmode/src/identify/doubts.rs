@@ -3,18 +3,50 @@
 use reconstruct::{Doubt, Record};
 
 use super::outcome::Outcome;
+use crate::inspect::Cause;
 
 /// A doubt, or several of one kind about the stretches of one record.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Said {
     pub(super) code: &'static str,
     pub(super) text: String,
+    /// What is odd about the sensors of the records that it speaks of, or of all records.
+    pub(super) causes: Vec<Cause>,
 }
 
 /// All doubts, in their order.
 pub(super) fn said(outcome: &Outcome<'_>) -> Vec<Said> {
     let doubts = outcome.result.doubts.iter();
-    collected(doubts.map(|doubt: &Doubt| (doubt.code(), doubt.to_string())), outcome.records)
+    let mut all =
+        collected(doubts.map(|doubt: &Doubt| (doubt.code(), doubt.to_string())), outcome.records);
+    for said in &mut all {
+        said.causes = causes(&said.text, outcome.causes);
+    }
+    all
+}
+
+/// The causes that stand behind all these doubts, each once.
+pub(super) fn all_causes(doubts: &[Said]) -> Vec<&Cause> {
+    let mut found: Vec<&Cause> = Vec::new();
+    for cause in doubts.iter().flat_map(|said| &said.causes) {
+        if !found.contains(&cause) {
+            found.push(cause);
+        }
+    }
+    found
+}
+
+/// Of what is odd that in the records which a text names, or all where it names none of them.
+fn causes(text: &str, odd: &[Cause]) -> Vec<Cause> {
+    let named: Vec<Cause> =
+        odd.iter().filter(|cause| is_named(text, &cause.record)).cloned().collect();
+    if named.is_empty() { odd.to_vec() } else { named }
+}
+
+/// Whether a text speaks of a record; `a.csv#1` is not in `a.csv#12`.
+fn is_named(text: &str, record: &str) -> bool {
+    text.match_indices(record)
+        .any(|(at, _)| !text[at + record.len()..].starts_with(|next: char| next.is_ascii_digit()))
 }
 
 /// The first of those about the stretches of one record stands for the others.
@@ -30,7 +62,7 @@ fn collected(
         });
         match same {
             Some((_, _, others)) => *others += 1,
-            None => found.push((Said { code, text }, whole, 0)),
+            None => found.push((Said { code, text, causes: Vec::new() }, whole, 0)),
         }
     }
     let said = |(mut said, whole, others): (Said, Option<String>, usize)| {
@@ -45,14 +77,8 @@ fn collected(
 
 /// The record of the one stretch that a text speaks of.
 fn whole_of(text: &str, records: &[Record]) -> Option<String> {
-    let is_named = |name: &str| {
-        text.match_indices(name).any(|(at, _)| {
-            // `a.csv#1` is not in `a.csv#12`.
-            !text[at + name.len()..].starts_with(|next: char| next.is_ascii_digit())
-        })
-    };
     let mut stretches =
-        records.iter().map(Record::name).filter(|name| name.contains('#') && is_named(name));
+        records.iter().map(Record::name).filter(|name| name.contains('#') && is_named(text, name));
     let first = stretches.next()?;
     let whole = |name: &str| name.rsplit_once('#').map(|(whole, _)| whole.to_owned());
     let (found, others) = (whole(first), stretches.map(whole));
@@ -92,5 +118,22 @@ mod tests {
             "no gap at all",
         ];
         assert_eq!(texts, expected);
+    }
+
+    #[test]
+    fn causes_are_those_of_the_records_that_a_doubt_names() {
+        let cause = |record: &str| Cause {
+            record: record.to_owned(),
+            column: "p".to_owned(),
+            code: "held",
+            text: "p holds each value".to_owned(),
+        };
+        let odd = ["a.csv#1", "a.csv#12", "b.csv"].map(cause);
+        let of = |text: &str| -> Vec<String> {
+            causes(text, &odd).into_iter().map(|cause| cause.record).collect()
+        };
+        assert_eq!(of("record a.csv#12 shows free motion"), ["a.csv#12"]);
+        assert_eq!(of("b.csv and a.csv#1 are alike"), ["a.csv#1", "b.csv"]);
+        assert_eq!(of("no gap"), ["a.csv#1", "a.csv#12", "b.csv"]);
     }
 }

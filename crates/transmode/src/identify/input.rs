@@ -1,5 +1,7 @@
 //! Everything that is read before anything is computed: records, measured inputs, the quiet record; and what gaps make of them.
 
+use std::num::NonZero;
+
 use reconstruct::{Excitation, ReconstructError, Record};
 
 use super::options;
@@ -7,6 +9,7 @@ use crate::CommandError;
 use crate::args::IdentifyArgs;
 use crate::args::values::{MethodName, QuietFile};
 use crate::error::{OptionError, in_file};
+use crate::inspect::{Cause, causes};
 use crate::records::bridging::Bridge;
 use crate::records::copies::copies;
 use crate::records::{self, LoadOptions, LoadWarning, Loaded, Progress, Source};
@@ -20,6 +23,10 @@ pub(super) struct Input {
     /// For each record its measured inputs; empty where there are none at all.
     pub(super) known_inputs: Vec<Vec<Vec<f64>>>,
     pub(super) noise: Option<Record>,
+    /// Every how many samples of the files one is kept.
+    pub(super) decimation: NonZero<usize>,
+    /// What is odd about the sensors.
+    pub(super) causes: Vec<Cause>,
     pub(super) warnings: Vec<LoadWarning>,
 }
 
@@ -27,13 +34,12 @@ pub(super) struct Input {
 pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, CommandError> {
     let mut options = args.files.options();
     options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
-    // The printed method fits each record without noise, so that it asks for samples without gaps.
-    if args.method() != MethodName::AsPrinted {
-        options.bridge = args.bridge.map_or(Bridge::Usual, Bridge::UpTo);
-    }
-    let loaded = records::load(&args.files.files, &options, progress)?;
+    options.bridge = bridge(args);
+    let (loaded, causes) = load(args, &mut options, progress)?;
     let Loaded { records, sources, known_inputs, warnings, .. } = loaded;
-    let mut input = Input { records, sources, known_inputs, noise: None, warnings };
+    let decimation = options.decimate;
+    let noise = None;
+    let mut input = Input { records, sources, known_inputs, noise, decimation, causes, warnings };
     leave_out_copies(&mut input, &args.files.outputs)?;
     check_number(args, &input)?;
     if args.method() == MethodName::AsPrinted {
@@ -46,6 +52,52 @@ pub(super) fn read(args: &IdentifyArgs, progress: Progress) -> Result<Input, Com
         input.noise = Some(noise);
     }
     Ok(input)
+}
+
+/// Reads the records with what is odd about their sensors, and decimates them: if nobody said whether to, where they are sampled far faster than anything in them moves.
+///
+/// A recorded input would be neither held nor straight between the samples that are left, and the printed method knows of no noise: there all samples stay.
+fn load(
+    args: &IdentifyArgs,
+    options: &mut LoadOptions,
+    progress: Progress,
+) -> Result<(Loaded, Vec<Cause>), CommandError> {
+    let files = &args.files.files;
+    let asked = args.files.decimate;
+    let is_free =
+        asked.is_none() && args.inputs.is_empty() && args.method() != MethodName::AsPrinted;
+    let is_asked = asked.is_some_and(|factor| factor.get() > 1);
+    // Interpolated samples are no unknowns.
+    let most_missing = if is_free || is_asked { usize::MAX } else { options.most_missing };
+    let whole = NonZero::<usize>::MIN;
+    let all = LoadOptions { most_missing, decimate: whole, ..options.clone() };
+    let mut loaded = records::load(files, &all, progress)?;
+    let mut causes = odd_sensors(&loaded);
+    if is_free {
+        options.decimate = loaded.decimate_if_oversampled()?;
+        let missing = loaded.records.iter().map(Record::missing_rows).max().unwrap_or(0);
+        if missing > options.most_missing {
+            loaded = records::load(files, options, progress)?;
+            causes = odd_sensors(&loaded);
+        }
+    } else {
+        loaded.decimate(options.decimate)?;
+    }
+    Ok((loaded, causes))
+}
+
+fn odd_sensors(loaded: &Loaded) -> Vec<Cause> {
+    let all = loaded.records.iter().zip(&loaded.sources);
+    all.flat_map(|(record, source)| causes(record, &source.units, source.span_s[0])).collect()
+}
+
+/// Which gaps are missing samples of one record.
+pub(super) fn bridge(args: &IdentifyArgs) -> Bridge {
+    // The printed method fits each record without noise, so that it asks for samples without gaps.
+    match args.method() {
+        MethodName::AsPrinted => Bridge::Never,
+        _ => args.bridge.map_or(Bridge::Usual, Bridge::UpTo),
+    }
 }
 
 /// Leaves out sensors that are multiples of others, which say nothing and would make noise look
@@ -216,48 +268,6 @@ fn leave_out_idle(
     Ok(())
 }
 
-/// Records that the fit does not see.
-#[derive(Debug, Default)]
-pub(super) struct HeldOut {
-    pub(super) records: Vec<Record>,
-    /// For each record its inputs.
-    pub(super) inputs: Vec<Vec<Vec<f64>>>,
-}
-
-/// Reads records that the fit does not see, with the sensors and inputs of the others.
-pub(super) fn validation(
-    args: &IdentifyArgs,
-    input: &Input,
-    progress: Progress,
-) -> Result<HeldOut, CommandError> {
-    if args.validate.is_empty() {
-        return Ok(HeldOut::default());
-    }
-    let mut options = args.files.options();
-    options.windows.clear();
-    options.inputs_may_be_missing = true;
-    options.known_inputs = args.inputs.iter().map(|name| name.trim().to_owned()).collect();
-    if let Some(record) = input.records.first() {
-        let names = record.channels().iter().map(|channel| channel.name.clone());
-        options.selection.outputs = names.collect();
-    }
-    let Loaded { records, known_inputs, .. } = records::load(&args.validate, &options, progress)?;
-    let same = |record: &Record| {
-        let (own, other) = (record.period().seconds(), input.records[0].period().seconds());
-        (own - other).abs() <= 1e-3 * other
-    };
-    if let Some(record) = records.iter().find(|record| !same(record)) {
-        let message = format!(
-            "{} is sampled every {} s, the other records every {} s; resample it",
-            record.name(),
-            record.period().seconds(),
-            input.records[0].period().seconds()
-        );
-        return Err(OptionError::Refused { option: "--validate", message }.into());
-    }
-    Ok(HeldOut { records, inputs: known_inputs })
-}
-
 /// Reads the quiet record with the sensors of the others.
 fn quiet(
     file: &QuietFile,
@@ -267,8 +277,8 @@ fn quiet(
 ) -> Result<Record, CommandError> {
     let mut options = LoadOptions {
         known_inputs: Vec::new(),
-        // Its spectrum is that of a stretch without gaps.
-        bridge: Bridge::Never,
+        // What its spectrum is estimated from leaves the missing samples out, however many there are.
+        most_missing: usize::MAX,
         ..options.clone()
     };
     if let Some(record) = input.records.first() {

@@ -4,7 +4,7 @@ mod form;
 mod paper;
 mod recorded;
 
-use reconstruct::likelihood::{Estimate, Hold, SearchStatus};
+use reconstruct::likelihood::{ComplexEstimate, Estimate, Hold, NearDouble, SearchStatus};
 use reconstruct::subspace::OrderEvidence;
 use reconstruct::{ComparedOrder, Offsets, Trend, likelihood};
 use serde::Serialize;
@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::doubts;
 use super::outcome::Outcome;
 use crate::CommandError;
+use crate::inspect::Cause;
 use crate::json::{self, Number};
 use crate::modes::IdentifiedMode;
 use crate::records::clock::Clock;
@@ -26,6 +27,8 @@ struct Output<'a> {
     order: usize,
     order_evidence: Option<OrderOutput>,
     sample_period_s: f64,
+    /// Every how many samples of the files one is kept.
+    decimation: usize,
     channels: Vec<&'a str>,
     records: Vec<RecordOutput<'a>>,
     modes: Vec<ModeOutput>,
@@ -124,6 +127,17 @@ struct ModeOutput {
     shape: Vec<Number>,
     strength: Vec<f64>,
     spread: Option<f64>,
+    near_double: Option<NearDoubleOutput>,
+}
+
+/// Another eigenvalue from which the records hardly tell this one, and what they tell of the two.
+#[derive(Serialize)]
+struct NearDoubleOutput {
+    partner: Number,
+    mean: Number,
+    mean_deviation: Number,
+    half_difference_squared: Number,
+    half_difference_squared_deviation: Number,
 }
 
 #[derive(Serialize)]
@@ -162,6 +176,16 @@ struct SearchOutput {
 struct Warning {
     code: &'static str,
     text: String,
+    /// What is odd about the sensors, where it is a doubt.
+    causes: Vec<CauseOutput>,
+}
+
+#[derive(Serialize)]
+struct CauseOutput {
+    code: &'static str,
+    record: String,
+    channel: String,
+    text: String,
 }
 
 /// The JSON text, indented, with a line feed at its end.
@@ -171,7 +195,17 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
     let fit = result.fit();
     let output_error = result.output_error();
     let doubts = doubts::said(outcome);
-    let doubts = doubts.into_iter().map(|doubt| Warning { code: doubt.code, text: doubt.text });
+    let cause = |cause: Cause| CauseOutput {
+        code: cause.code,
+        record: cause.record,
+        channel: cause.column,
+        text: cause.text,
+    };
+    let doubts = doubts.into_iter().map(|doubt| Warning {
+        code: doubt.code,
+        text: doubt.text,
+        causes: doubt.causes.into_iter().map(cause).collect(),
+    });
     let warnings = outcome.warnings.iter();
     let output = Output {
         schema: 1,
@@ -187,6 +221,7 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         ),
         order_evidence: result.order().map(|evidence| order(evidence, result.compared_orders())),
         sample_period_s: outcome.records.first().map_or(0.0, |record| record.period().seconds()),
+        decimation: outcome.decimation.get(),
         channels: channels(outcome),
         records: records(outcome),
         modes: outcome.found.iter().map(|found| mode(outcome, found)).collect(),
@@ -224,7 +259,11 @@ pub(super) fn render(outcome: &Outcome<'_>) -> Result<Vec<u8>, CommandError> {
         form: form::form(outcome),
         recorded_inputs: recorded::recorded(outcome),
         warnings: warnings
-            .map(|warning| Warning { code: warning.code(), text: warning.to_string() })
+            .map(|warning| Warning {
+                code: warning.code(),
+                text: warning.to_string(),
+                causes: Vec::new(),
+            })
             .chain(doubts)
             .collect(),
     };
@@ -301,6 +340,23 @@ fn mode(outcome: &Outcome<'_>, found: &IdentifiedMode) -> ModeOutput {
         shape: found.shape.iter().map(|&part| part.into()).collect(),
         strength: found.mode.excitation_snr.clone(),
         spread: found.spread,
+        near_double: estimate.and_then(|estimate| estimate.near_double).map(NearDoubleOutput::from),
+    }
+}
+
+impl From<NearDouble> for NearDoubleOutput {
+    fn from(double: NearDouble) -> Self {
+        let deviation = |estimate: &ComplexEstimate| Number {
+            re: estimate.real_standard_error(),
+            im: estimate.imaginary_standard_error(),
+        };
+        Self {
+            partner: double.partner.into(),
+            mean: double.mean.value.into(),
+            mean_deviation: deviation(&double.mean),
+            half_difference_squared: double.half_difference_squared.value.into(),
+            half_difference_squared_deviation: deviation(&double.half_difference_squared),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What the command line asks for, as options of the reconstruction.
 
 use std::f64::consts::PI;
+use std::num::NonZero;
 
 use cfi_ident::{ConstantTerm, Orders, Structure};
 use reconstruct::likelihood::{FrequencyBand, Hold};
@@ -16,7 +17,7 @@ use crate::args::values::{
 };
 use crate::error::OptionError;
 
-/// Behind `--decimate` there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
+/// Behind a decimation there is hardly any signal above this part of the Nyquist frequency, and the noise is not white.
 const PASSED: f64 = 0.8;
 
 /// Refuses options that the method does not know: they would be ignored without a word.
@@ -62,6 +63,7 @@ pub(super) fn check_method(args: &IdentifyArgs) -> Result<(), CommandError> {
 /// The options for these records, with the quiet record and the measured inputs that were read.
 pub(super) fn options(
     args: &IdentifyArgs,
+    decimation: NonZero<usize>,
     records: &[Record],
     noise: Option<Record>,
     known_inputs: Vec<Vec<Vec<f64>>>,
@@ -102,7 +104,7 @@ pub(super) fn options(
     options.profile = true;
     options.threads = threads_or_all(args.threads);
     // Recorded inputs have a band of their own, below what a decimation passes.
-    options.band = band(args, record)?.filter(|_| {
+    options.band = band(args, decimation, record)?.filter(|_| {
         args.band.is_some() || excitation(args) == Excitation::Unrecorded || args.inputs.is_empty()
     });
     options.measurement.feedthrough_sensors = feedthrough(args, record, &sensors)?;
@@ -224,9 +226,13 @@ fn one_each(
 }
 
 /// The band asked for; behind a decimation what its filter passes.
-fn band(args: &IdentifyArgs, record: &Record) -> Result<Option<FrequencyBand>, CommandError> {
+fn band(
+    args: &IdentifyArgs,
+    decimation: NonZero<usize>,
+    record: &Record,
+) -> Result<Option<FrequencyBand>, CommandError> {
     let nyquist_rad_s = PI / record.period().seconds();
-    let decimated = args.files.decimate.is_some_and(|factor| factor.get() > 1);
+    let decimated = decimation.get() > 1;
     let passed = if decimated { PASSED * nyquist_rad_s } else { nyquist_rad_s };
     let Some(band) = args.band else {
         let all = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: passed };

@@ -1,5 +1,7 @@
 //! All that there is to say of one run, for the terminal, the JSON and the report.
 
+use std::num::NonZero;
+
 use aircraft::{AircraftClass, FlightPhaseCategory, FlyingQualityLevel, NamedMode, level};
 use reconstruct::output_error::Simulation;
 use reconstruct::subspace::NoiseOrigin;
@@ -8,6 +10,7 @@ use report::format_significant;
 
 use super::coefficients::Coefficient;
 use crate::args::values::MethodName;
+use crate::inspect::Cause;
 use crate::modes::IdentifiedMode;
 use crate::records::{LoadWarning, Source};
 
@@ -32,6 +35,10 @@ pub(crate) struct Outcome<'a> {
     pub(crate) predictions: &'a [Prediction],
     /// Derivatives in nondimensional form, where the size of the aircraft is known.
     pub(crate) coefficients: &'a [Coefficient],
+    /// Every how many samples of the files one is kept.
+    pub(crate) decimation: NonZero<usize>,
+    /// What is odd about the sensors, as a cause of doubts.
+    pub(crate) causes: &'a [Cause],
 }
 
 /// A record that the fit did not see.

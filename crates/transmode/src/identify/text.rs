@@ -12,6 +12,7 @@ use reconstruct::likelihood::Estimate;
 use report::{format_conjugate_pair, format_significant};
 
 use super::doubts;
+use super::near_double;
 use super::outcome::Outcome;
 use crate::args::values::MethodName;
 use crate::modes::IdentifiedMode;
@@ -44,11 +45,18 @@ pub(super) fn render(outcome: &Outcome<'_>) -> String {
         _ => evidence::summary(outcome),
     };
     let _ = writeln!(text, "\n{summary}");
+    for sentence in near_double::sentences(outcome) {
+        let _ = writeln!(text, "nearly double: {sentence}");
+    }
     for warning in outcome.warnings {
         let _ = writeln!(text, "{}: {warning}", warning.label());
     }
-    for doubt in doubts::said(outcome) {
+    let doubts = doubts::said(outcome);
+    for doubt in &doubts {
         let _ = writeln!(text, "warning: {}", doubt.text);
+    }
+    for cause in doubts::all_causes(&doubts) {
+        let _ = writeln!(text, "possible cause: {}", cause.text);
     }
     text
 }

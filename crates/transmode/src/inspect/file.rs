@@ -134,6 +134,13 @@ pub(super) fn inspect(
     if let Some(sampled) = &sampling {
         findings.extend(clock(sampled, &times));
     }
+    if table.repeated > 0 {
+        let text = format!(
+            "{} rows repeat the one before, time stamp and all; they are left out",
+            table.repeated
+        );
+        findings.push(Finding { weight: Weight::Note, code: "rows-repeated", text });
+    }
     findings.extend(sampling.iter().filter_map(gaps));
     findings.extend(of_channels(&channels, &|row| table.places.of(row)));
     let (others, notes) = not_read(&table, &selected, &selection);

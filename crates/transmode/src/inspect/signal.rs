@@ -36,6 +36,8 @@ pub(super) struct Signal {
     pub(super) stuck: Option<(usize, usize)>,
     /// The value at which it is cut off, and how many samples are.
     pub(super) saturated: Option<(f64, usize)>,
+    /// The same for each end at which it is.
+    pub(super) cut_off: Vec<(f64, usize)>,
 }
 
 impl Signal {
@@ -95,7 +97,8 @@ impl Signal {
                     .filter(|(_, run)| run[0].to_bits() == edge.to_bits() && run.len() >= SATURATED)
             };
             if cut().count() >= 2 {
-                self.saturated = Some((edge, cut().map(|(_, run)| run.len()).sum()));
+                self.cut_off.push((edge, cut().map(|(_, run)| run.len()).sum()));
+                self.saturated = self.cut_off.last().copied();
             }
         }
     }

@@ -26,8 +26,8 @@ const MOST_SAMPLES: f64 = 25.0;
 /// No more than one row in so many is taken as missing: with more, the stretches between them are not one record but many.
 const ROWS_FOR_ONE: usize = 4;
 
-/// Each missing sample is one more unknown, and their effort grows with the third power of their number.
-const MOST_MISSING: usize = 400;
+/// To a likelihood each missing sample is one more unknown, and their effort grows with the third power of their number.
+pub(crate) const MOST_MISSING: usize = 400;
 
 impl Bridge {
     /// The longest gap that is bridged, in missing rows.
@@ -82,16 +82,17 @@ impl Stretch {
 }
 
 /// The stretches of `rows` between gaps of more than `longest` missing rows, in order, none empty. The file lacks so many rows in front of each of
-/// `gaps`, in ascending order; a row is incomplete where any channel is NaN.
+/// `gaps`, in ascending order; a row is incomplete where any channel is NaN. Where more than `most_missing` rows of a stretch would be unknown, each gap splits.
 pub(crate) fn stretches(
     rows: Range<usize>,
     gaps: &[(usize, usize)],
     channels: &[&[f64]],
     longest: usize,
+    most_missing: usize,
 ) -> Vec<Stretch> {
     let found = bridged(rows.clone(), gaps, channels, longest);
     let is_too_much = |stretch: &Stretch| {
-        stretch.missing * ROWS_FOR_ONE > stretch.samples() || stretch.missing > MOST_MISSING
+        stretch.missing * ROWS_FOR_ONE > stretch.samples() || stretch.missing > most_missing
     };
     if longest > 0 && found.iter().any(is_too_much) {
         return bridged(rows, gaps, channels, 0);

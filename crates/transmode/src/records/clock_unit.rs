@@ -18,6 +18,19 @@ pub(crate) fn epoch(first: f64, is_whole: bool) -> Option<(&'static str, f64)> {
     FINER.into_iter().find(|(_, factor)| is_whole && EPOCH_S.contains(&(first * factor)))
 }
 
+/// The factor to seconds of the days that spreadsheets count from 1900, as their cells of date and time are written: numbers with a fraction from 1954 to 2119, whose usual step would be a
+/// period of 1/50000 s and less if they were seconds.
+pub(crate) fn spreadsheet_days(
+    first: f64,
+    step: f64,
+    is_whole: bool,
+) -> Option<(&'static str, f64)> {
+    const DAYS: std::ops::Range<f64> = 2e4..8e4;
+    const LARGEST_STEP: f64 = 2e-5;
+    let is_one = !is_whole && DAYS.contains(&first) && step > 0.0 && step < LARGEST_STEP;
+    is_one.then_some(("days", 86_400.0))
+}
+
 /// What is odd about a period, and the unit that would mend it; `stated` is the factor to seconds
 /// of the unit in the heading.
 pub(crate) fn doubt(period_s: f64, is_whole: bool, stated: Option<f64>) -> Option<String> {
@@ -52,6 +65,15 @@ mod tests {
         }
         assert_eq!(epoch(1.7e9, true), None);
         assert_eq!(epoch(0.0, true), None);
+    }
+
+    #[test]
+    fn days_of_spreadsheets_are_told_from_seconds() {
+        // Every 0.1 s on a day in 2025, and in seconds from some moment on.
+        assert_eq!(spreadsheet_days(45_989.5, 0.1 / 86_400.0, false), Some(("days", 86_400.0)));
+        assert_eq!(spreadsheet_days(45_989.5, 0.001, false), None);
+        assert_eq!(spreadsheet_days(45_989.0, 1.0, true), None);
+        assert_eq!(spreadsheet_days(0.5, 1e-6, false), None);
     }
 
     #[test]

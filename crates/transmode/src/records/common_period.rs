@@ -14,9 +14,8 @@ use crate::CommandError;
 use crate::error::in_file;
 use crate::numbers::without_rounding;
 
-/// Gives all records one period, where they differ by no more than two clocks do; `decimation` is
-/// how many samples of the files one of a record stands for.
-pub(super) fn share(loaded: &mut Loaded, decimation: usize) -> Result<(), CommandError> {
+/// Gives all records one period, where they differ by no more than two clocks do.
+pub(super) fn share(loaded: &mut Loaded) -> Result<(), CommandError> {
     let read = |record: &Record| record.period().seconds();
     let Some(first) = loaded.records.first().map(read) else { return Ok(()) };
     if loaded.records.iter().all(|record| is_same_period(read(record), first)) {
@@ -27,8 +26,7 @@ pub(super) fn share(loaded: &mut Loaded, decimation: usize) -> Result<(), Comman
         .iter()
         .zip(&loaded.sources)
         .map(|(record, source)| {
-            let of_stamps = source.clock.fitted_period_s.map(|period| period * decimation as f64);
-            of_stamps.map_or_else(|| read(record), without_rounding)
+            source.clock.fitted_period_s.map_or_else(|| read(record), without_rounding)
         })
         .collect();
     let shortest = fitted.iter().copied().fold(f64::INFINITY, f64::min);

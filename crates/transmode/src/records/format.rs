@@ -41,7 +41,7 @@ const FOREIGN: [(&[u8], &str, &str); 14] = [
     (
         b"TDSm",
         "this is a National Instruments file (TDMS)",
-        "export it as CSV or LVM in LabVIEW or DIAdem, or convert it with tdmsinfo and nptdms in Python",
+        "export it as CSV or LVM in LabVIEW or DIAdem, or in Python with the package npTDMS: TdmsFile.read(file).as_dataframe().to_csv(..)",
     ),
     (
         b"MDF     ",

@@ -19,10 +19,6 @@ pub(crate) enum FormatError {
         "this is no {format} file, though it is called one; save it again, or call it by what it is"
     )]
     Misnamed { format: &'static str },
-    #[error(
-        "this is text in UTF-16; save it as UTF-8, for example as \"CSV UTF-8\" in a spreadsheet"
-    )]
-    Utf16,
     #[error("byte {at} is zero, so this is no text, and no other format that is read: CSV, .mat, .h5, .npy, .npz{parquet}", parquet = PARQUET)]
     Binary { at: usize },
     #[error("this is a MATLAB file of version 4; save it with save('file.mat', '-v7')")]

@@ -9,7 +9,6 @@ use reconstruct::{Channel, Record};
 use super::bridging::{Stretch, stretches};
 use super::clock::Clock;
 use super::common_period;
-use super::decimation::{self, Decimator};
 use super::known_inputs;
 use super::notes;
 use super::open::open;
@@ -70,7 +69,8 @@ pub(crate) fn load(
     check_missing_inputs(&files, options, &mut loaded)?;
     let warnings = same_units::check(&loaded.records, &loaded.sources)?;
     loaded.warnings.extend(warnings);
-    common_period::share(&mut loaded, options.decimate.get())?;
+    common_period::share(&mut loaded)?;
+    loaded.decimate(options.decimate)?;
     Ok(loaded)
 }
 
@@ -274,9 +274,13 @@ impl Recording<'_> {
         }
         let channels: Vec<&[f64]> = self.table.values.iter().map(Vec::as_slice).collect();
         let longest = options.bridge.longest(even.period_s);
-        let gaps: Vec<(usize, usize)> =
-            even.after_gaps.iter().map(|&row| (row, self.absent(row, even.period_s))).collect();
-        let mut stretches = stretches(rows.clone(), &gaps, &channels, longest);
+        let gaps: Vec<(usize, usize)> = even
+            .after_gaps
+            .iter()
+            .map(|&row| (row, self.times.absent(row, even.period_s)))
+            .collect();
+        let mut stretches =
+            stretches(rows.clone(), &gaps, &channels, longest, options.most_missing);
         let is_whole = matches!(stretches.as_slice(), [one] if one.rows == rows);
         if !is_whole {
             stretches = self.long_enough(&name, stretches, &mut loaded.warnings)?;
@@ -291,6 +295,7 @@ impl Recording<'_> {
                 missing,
                 longest_gap,
                 bridge_s,
+                interpolated: false,
             });
         }
         let is_one = stretches.len() == 1;
@@ -300,18 +305,6 @@ impl Recording<'_> {
             self.record((name, whole), stretch, (even.period_s, clock), options, loaded)?;
         }
         Ok(())
-    }
-
-    /// The rows that are not in the file in front of a row behind a gap.
-    fn absent(&self, row: usize, period_s: f64) -> usize {
-        let steps = (self.times.at(row) - self.times.at(row.saturating_sub(1))) / period_s;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "what is too large stays the largest number there is"
-        )]
-        let absent = (steps.round() - 1.0).max(1.0) as usize;
-        absent
     }
 
     /// Leaves out what is too short, and says what gaps did.
@@ -334,7 +327,7 @@ impl Recording<'_> {
             return Err(SelectionError::OnlyGaps { file, needed: SHORTEST, longest }.into());
         }
         if count > 0 {
-            warnings.push(LoadWarning::ShortStretches { record, count, samples });
+            warnings.push(LoadWarning::ShortStretches { record, count, samples, needed: SHORTEST });
         }
         stretches.retain(|stretch| stretch.samples() >= SHORTEST);
         Ok(stretches)
@@ -348,16 +341,6 @@ impl Recording<'_> {
         options: &LoadOptions,
         loaded: &mut Loaded,
     ) -> Result<(), CommandError> {
-        let factor = options.decimate;
-        let needed = decimation::length(factor);
-        if stretch.samples() < needed {
-            let (file, found) = (self.file.to_owned(), stretch.samples());
-            return Err(
-                SelectionError::Decimation { file, factor: factor.get(), needed, found }.into()
-            );
-        }
-        let decimator = Decimator::new(factor);
-        let margin = decimator.margin();
         let is_all = stretch.absent.is_empty() && stretch.rows == (0..self.times.samples());
         let mut channels = Vec::new();
         for index in 0..self.table.values.len() {
@@ -371,33 +354,21 @@ impl Recording<'_> {
             channels.push(Channel::new(self.table.heading(index).name.clone(), values));
         }
         let known = channels.split_off(self.units.len());
-        let period = SamplePeriod::new(match factor.get() {
-            1 => period_s,
-            factor => without_rounding(period_s * factor as f64),
-        });
-        let period = period.map_err(|error| in_file(self.file, &error))?;
+        let period = SamplePeriod::new(period_s).map_err(|error| in_file(self.file, &error))?;
         let checked = |channels| {
             Record::with_missing(name.clone(), period, channels)
                 .map_err(|error| in_file(self.file, &error))
         };
-        let mut record = checked(channels)?;
+        let record = checked(channels)?;
         // Missing samples of inputs are interpolated.
-        let mut known = if known.is_empty() { known } else { checked(known)?.channels().to_vec() };
-        if factor.get() > 1 {
-            let thin = |channel: &Channel| {
-                Channel::new(channel.name.clone(), decimator.decimate(&channel.values))
-            };
-            known = known.iter().map(thin).collect();
-            record = checked(record.channels().iter().map(thin).collect())?;
-        }
+        let known = if known.is_empty() { known } else { checked(known)?.channels().to_vec() };
         // In rows of the record, of which the file may have fewer.
         let start_s = self.times.at(stretch.rows.start);
         let at = |sample: usize| match stretch.absent.first() {
             None => self.times.at(stretch.rows.start + sample),
             Some(_) => start_s + sample as f64 * period_s,
         };
-        let last = margin + (record.samples().saturating_sub(1)) * factor.get();
-        let span_s = [at(margin), at(last)];
+        let span_s = [at(0), at(record.samples().saturating_sub(1))];
         let mut known = known.into_iter().map(|channel| channel.values);
         let still = || vec![0.0; record.samples()];
         let of = |has: &bool| if *has { known.next().unwrap_or_else(still) } else { still() };

@@ -36,6 +36,9 @@ pub(super) fn of_columns(
     if !unknown.is_empty() {
         warnings.push(LoadWarning::UnitUnknown { file: file(), columns: unknown });
     }
+    if table.repeated > 0 {
+        warnings.push(LoadWarning::RowsRepeated { file: file(), rows: table.repeated });
+    }
     if let TimeSource::Period(period_s) = selection.time
         && let Some(time) = table.headings.iter().find(|heading| is_time(&heading.name))
         && !selection.outputs.contains(&time.name)

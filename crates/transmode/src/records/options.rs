@@ -3,7 +3,7 @@
 use std::num::NonZero;
 use std::path::PathBuf;
 
-use super::bridging::Bridge;
+use super::bridging::{Bridge, MOST_MISSING};
 use super::selection::Selection;
 
 /// How files become records.
@@ -25,6 +25,8 @@ pub(crate) struct LoadOptions {
     pub(crate) angles: Angles,
     /// Which gaps are missing samples of one record.
     pub(crate) bridge: Bridge,
+    /// No gap is bridged in a record where more rows than this are missing.
+    pub(crate) most_missing: usize,
 }
 
 /// How a file is written, where it does not say it.
@@ -60,6 +62,7 @@ impl Default for LoadOptions {
             resample_s: None,
             angles: Angles::default(),
             bridge: Bridge::default(),
+            most_missing: MOST_MISSING,
         }
     }
 }

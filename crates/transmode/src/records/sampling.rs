@@ -16,9 +16,11 @@ const PERIODS_S: RangeInclusive<f64> = 1e-12..=1e12;
 /// A step of more periods than this is no late sample but a gap, if it is close to a whole number of periods.
 const SHORTEST_GAP: f64 = 1.5;
 
-/// How far from a whole number of periods a gap may be. A recorder that drops samples keeps its clock; one that was started again does not,
-/// and what it writes is another record.
+/// How far from a whole number of periods a gap may be. A recorder that drops samples keeps its clock.
 const LARGEST_OFFSET: f64 = 0.1;
+
+/// A recorder that was started again, or a block that was lost, leaves a gap of any length: so many periods at least, or the samples are uneven.
+const SHORTEST_NEW_START: f64 = 10.0;
 
 /// The usual step is the median of at most so many steps, spread over the record.
 const MOST_STEPS: usize = 100_000;
@@ -112,7 +114,16 @@ fn is_even(step: f64, usual: f64) -> bool {
 
 fn is_gap(step: f64, usual: f64) -> bool {
     let periods = step / usual;
-    periods > SHORTEST_GAP && (periods - periods.round()).abs() <= LARGEST_OFFSET
+    periods > SHORTEST_GAP && (is_whole(periods) || is_new_start(periods))
+}
+
+fn is_whole(periods: f64) -> bool {
+    (periods - periods.round()).abs() <= LARGEST_OFFSET
+}
+
+/// Whether samples behind a gap of so many periods are at other times than those in front of it would have been.
+pub(crate) fn is_new_start(periods: f64) -> bool {
+    periods >= SHORTEST_NEW_START && !is_whole(periods)
 }
 
 fn fault(
@@ -129,7 +140,7 @@ fn fault(
 }
 
 /// The median step; `None` without one.
-fn usual_step(time_s: &[f64]) -> Option<f64> {
+pub(crate) fn usual_step(time_s: &[f64]) -> Option<f64> {
     let stride = (time_s.len() / MOST_STEPS).max(1);
     let mut steps: Vec<f64> =
         time_s.windows(2).step_by(stride).map(|pair| pair[1] - pair[0]).collect();

@@ -179,6 +179,10 @@ impl Selection {
 
 /// Whether a column is called as time usually is.
 pub(crate) fn is_time(name: &str) -> bool {
+    let name = match name.rsplit_once('_') {
+        Some((name, "s" | "sec" | "ms" | "us" | "ns")) => name,
+        _ => name,
+    };
     ["time", "t", "timestamp"].iter().any(|usual| name.eq_ignore_ascii_case(usual))
 }
 

@@ -38,6 +38,8 @@ pub(crate) struct Table {
     pub(crate) with_clock: bool,
     /// Columns that were wanted like all others, and turned out to hold no numbers.
     pub(crate) ignored: Vec<Ignored>,
+    /// Rows that repeated the one before, and were left out.
+    pub(crate) repeated: usize,
 }
 
 /// A column that is no channel.
@@ -131,7 +133,7 @@ impl Table {
         values: Vec<Vec<f64>>,
     ) -> Self {
         let (places, ignored) = (Places::Samples, Vec::new());
-        Self { format, headings, chosen, values, places, with_clock: false, ignored }
+        Self { format, headings, chosen, values, places, with_clock: false, ignored, repeated: 0 }
     }
 
     pub(crate) fn rows(&self) -> usize {
@@ -148,6 +150,7 @@ impl Table {
             places: Places::Samples,
             with_clock: self.with_clock,
             ignored: Vec::new(),
+            repeated: 0,
         }
     }
 
@@ -164,6 +167,35 @@ impl Table {
             }
         }
         Ok(self)
+    }
+
+    /// Leaves out rows that repeat the one before in all chosen channels and in their time stamp, where they are few and no other row has the stamp of the one before.
+    pub(crate) fn leave_out_repeats(&mut self, stamps: &mut Vec<f64>) {
+        /// One row in so many, at most.
+        const FEW: usize = 20;
+        let is_same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        let standing: Vec<usize> =
+            (1..stamps.len()).filter(|row| is_same(stamps[*row], stamps[row - 1])).collect();
+        let is_repeat =
+            |row: &usize| self.values.iter().all(|values| is_same(values[*row], values[row - 1]));
+        if standing.is_empty()
+            || standing.len() * FEW > stamps.len()
+            || !standing.iter().all(is_repeat)
+        {
+            return;
+        }
+        let mut kept = vec![true; stamps.len()];
+        standing.iter().for_each(|row| kept[*row] = false);
+        for values in self.values.iter_mut().chain([stamps]) {
+            let mut flags = kept.iter();
+            values.retain(|_| flags.next().copied().unwrap_or(true));
+        }
+        if let Places::Lines(lines) = &mut self.places {
+            let mut left = RowLines::default();
+            (0..kept.len()).filter(|row| kept[*row]).for_each(|row| left.push(lines.line(row)));
+            *lines = left;
+        }
+        self.repeated = standing.len();
     }
 
     /// The heading of the chosen channel `column`.

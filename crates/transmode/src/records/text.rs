@@ -13,6 +13,7 @@
 mod clock;
 mod columns;
 mod dialect;
+mod encoding;
 mod header;
 mod layout;
 mod lines;
@@ -30,6 +31,7 @@ use super::table::{Chosen, Heading, Opened, Places, Table};
 use crate::CommandError;
 use crate::error::{TableError, in_file};
 use columns::{Columns, Read as ReadColumns};
+use encoding::Decoded;
 pub(crate) use header::heading;
 use layout::Layout;
 use lines::{LONGEST_ROW, LineError, Lines, Row};
@@ -45,7 +47,7 @@ const LONGEST_COMMENT: usize = 1 << 16;
 
 /// A text of which the header has been read, and the units below it.
 pub(crate) struct OpenedText<R> {
-    reader: Reader<R>,
+    reader: Reader<Decoded<R>>,
     top: Top,
 }
 
@@ -56,7 +58,7 @@ pub(crate) fn open<R: Read>(
     source: R,
     options: &ReadOptions,
 ) -> Result<OpenedText<R>, CommandError> {
-    let lines = Lines::new(source);
+    let lines = Lines::new(Decoded::new(source));
     let mut reader = Reader { file: file.to_owned(), format, lines, separator: b',' };
     reader.check_start()?;
     let start = reader.lines.peek().map_err(LineError::Read);
@@ -177,6 +179,9 @@ impl<R: Read> Opened for OpenedText<R> {
             if is_nothing(row.bytes, separator) || dialect::is_comment(row.bytes) {
                 continue;
             }
+            if is_header_again(row, separator, &headings) {
+                continue;
+            }
             let mut ends_empty = false;
             let each = |index, field: &[u8]| {
                 ends_empty = field.is_empty();
@@ -203,8 +208,21 @@ impl<R: Read> Opened for OpenedText<R> {
         let with_clock = columns.clock_is_read();
         let ReadColumns { values, chosen, ignored, lines } = columns.finish(chosen.channels);
         let places = Places::Lines(lines);
-        Ok(Table { format, headings, chosen, values, places, with_clock, ignored })
+        Ok(Table { format, headings, chosen, values, places, with_clock, ignored, repeated: 0 })
     }
+}
+
+/// Whether a row repeats the header, as recorders write it that append to a file.
+fn is_header_again(row: Row<'_>, separator: u8, headings: &[Heading]) -> bool {
+    let first = row.bytes.trim_ascii_start().first();
+    if !first.is_some_and(|byte| byte.is_ascii_alphabetic() || *byte == b'"') {
+        return false;
+    }
+    let names = dialect::texts(row, separator).map(|texts| header::headings(&texts));
+    names.is_some_and(|names| {
+        let names = names.iter().map(|heading| &heading.name);
+        headings.iter().map(|heading| &heading.name).eq(names)
+    })
 }
 
 #[derive(Debug)]
@@ -229,13 +247,8 @@ impl<R: Read> Reader<R> {
     fn check_start(&mut self) -> Result<(), CommandError> {
         let start = self.lines.peek().map_err(LineError::Read);
         let start = start.map_err(|error| translate(&self.file, self.format, error))?;
-        let fault = if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
-            Some(FormatError::Utf16)
-        } else {
-            memchr::memchr(0, start).map(|at| FormatError::Binary { at })
-        };
-        if let Some(fault) = fault {
-            return Err(in_file(&self.file, &fault));
+        if let Some(at) = memchr::memchr(0, start) {
+            return Err(in_file(&self.file, &FormatError::Binary { at }));
         }
         self.lines.skip_mark();
         Ok(())

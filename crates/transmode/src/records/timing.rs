@@ -62,6 +62,7 @@ impl Times {
         let (name, has_unit) = (heading.name.clone(), heading.unit.is_some());
         let mut stamps_s = table.values.pop().unwrap_or_default();
         table.chosen.pop();
+        table.leave_out_repeats(&mut stamps_s);
         if let Some(row) = stamps_s.iter().position(|stamp| stamp.is_nan()) {
             let place = table.places.of(row);
             let column = name;
@@ -69,7 +70,10 @@ impl Times {
         }
         let is_whole = stamps_s.iter().all(|stamp| stamp.fract().abs() <= 0.0);
         let first = stamps_s.first().copied().unwrap_or(0.0);
-        let epoch = clock_unit::epoch(first, is_whole).filter(|_| !has_unit);
+        let step = sampling::usual_step(&stamps_s).unwrap_or(0.0);
+        let epoch = clock_unit::epoch(first, is_whole)
+            .or_else(|| clock_unit::spreadsheet_days(first, step, is_whole))
+            .filter(|_| !has_unit);
         scale(&mut stamps_s, epoch.map_or(factor, |(_, factor)| factor));
         let column = TimeColumn {
             name,
@@ -86,7 +90,8 @@ impl Times {
         let Self::Stamps { column, .. } = self else { return None };
         let name = &column.name;
         if let Some(unit) = column.taken {
-            return Some(format!("{name} counts from 1970 and is taken to be in {unit}"));
+            let from = if unit == "days" { "1900, as spreadsheets do," } else { "1970" };
+            return Some(format!("{name} counts from {from} and is taken to be in {unit}"));
         }
         let doubt = clock_unit::doubt(period_s, column.is_whole, column.stated);
         doubt.filter(|_| !column.is_clock).map(|doubt| {
@@ -101,6 +106,21 @@ impl Times {
             Self::Stamps { stamps_s, .. } => stamps_s[row],
             Self::Even { start_s, period_s, .. } => start_s + row as f64 * period_s,
         }
+    }
+
+    /// The rows that are not in the file in front of a row behind a gap. A clock that was started again has no whole number of them, and no gap of its is bridged.
+    pub(crate) fn absent(&self, row: usize, period_s: f64) -> usize {
+        let steps = (self.at(row) - self.at(row.saturating_sub(1))) / period_s;
+        if sampling::is_new_start(steps) {
+            return usize::MAX / 2;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "what is too large stays the largest number there is"
+        )]
+        let absent = (steps.round() - 1.0).max(1.0) as usize;
+        absent
     }
 
     pub(crate) fn samples(&self) -> usize {

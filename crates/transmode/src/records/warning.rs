@@ -4,7 +4,6 @@ use std::fmt;
 use std::path::PathBuf;
 
 use super::clock::Clock;
-use super::segments::SHORTEST;
 use crate::numbers::rounded;
 
 /// One thing that was done to a file and that its owner may not expect.
@@ -28,6 +27,8 @@ pub(crate) enum LoadWarning {
         longest_gap: usize,
         /// Gaps of up to so long are bridged.
         bridge_s: f64,
+        /// Whether interpolated samples stand for them: where the record was decimated, and where it is only predicted.
+        interpolated: bool,
     },
     /// Stretches between gaps that were left out.
     ShortStretches {
@@ -35,6 +36,8 @@ pub(crate) enum LoadWarning {
         count: usize,
         /// Samples in them.
         samples: usize,
+        /// Samples that one should have.
+        needed: usize,
     },
     /// Of the stretches between gaps the longest alone is used.
     LongestStretch {
@@ -78,8 +81,18 @@ pub(crate) enum LoadWarning {
     ColumnsIgnored { file: PathBuf, columns: Vec<String> },
     /// Columns in units that are not known, and these.
     UnitUnknown { file: PathBuf, columns: Vec<(String, String)> },
+    /// Rows that repeated the one before.
+    RowsRepeated { file: PathBuf, rows: usize },
     /// Angles that jumped by a turn.
     Unwrapped { file: PathBuf, columns: Vec<String> },
+    /// Records that were decimated, since they were sampled far faster than anything in them moves.
+    Oversampled {
+        factor: usize,
+        /// Samples in a second, as the files have them.
+        rate_hz: f64,
+        /// What the filter passes ends here.
+        highest_hz: f64,
+    },
     /// A sensor that is a multiple of another in all records.
     CopyLeftOut { column: String, other: String, factor: f64 },
 }
@@ -128,7 +141,9 @@ impl LoadWarning {
             | Self::Resampled { .. }
             | Self::ColumnsIgnored { .. }
             | Self::UnitUnknown { .. }
+            | Self::RowsRepeated { .. }
             | Self::Unwrapped { .. }
+            | Self::Oversampled { .. }
             | Self::CopyLeftOut { .. } => "note",
             _ => "warning",
         }
@@ -154,7 +169,9 @@ impl LoadWarning {
             Self::Resampled { .. } => "resampled",
             Self::ColumnsIgnored { .. } => "columns-ignored",
             Self::UnitUnknown { .. } => "unit-unknown",
+            Self::RowsRepeated { .. } => "rows-repeated",
             Self::Unwrapped { .. } => "unwrapped",
+            Self::Oversampled { .. } => "oversampled",
             Self::CopyLeftOut { .. } => "copy-left-out",
         }
     }
@@ -167,11 +184,16 @@ impl fmt::Display for LoadWarning {
                 f,
                 "gaps split {record} into {stretches} stretches, which count as one record; the second starts at {place}"
             ),
-            Self::Bridged { record, missing, longest_gap, bridge_s } => {
+            Self::Bridged { record, missing, longest_gap, bridge_s, interpolated } => {
                 let (rows, verb) = if *missing == 1 { ("row", "is") } else { ("rows", "are") };
+                let taken = if *interpolated {
+                    "interpolated"
+                } else {
+                    "taken as unknown inside one record"
+                };
                 write!(
                     f,
-                    "{record}: {missing} {rows} in gaps of up to {longest_gap} {verb} missing or incomplete, and taken as unknown inside one record (gaps longer than {bridge_s} s would split it, --bridge)"
+                    "{record}: {missing} {rows} in gaps of up to {longest_gap} {verb} missing or incomplete, and {taken} (gaps longer than {bridge_s} s would split it, --bridge)"
                 )
             }
             Self::LongestStretch { record, samples, total } => write!(
@@ -253,6 +275,14 @@ impl fmt::Display for LoadWarning {
                     listed(&columns)
                 )
             }
+            Self::RowsRepeated { file, rows } => {
+                let (noun, verb) = if *rows == 1 { ("row", "is") } else { ("rows", "are") };
+                write!(
+                    f,
+                    "{}: {rows} {noun} that repeat the one before, time stamp and all, {verb} left out",
+                    file.display()
+                )
+            }
             Self::Unwrapped { file, columns } => write!(
                 f,
                 "{}: {} jumps by a turn and is taken to go on (--unwrap=false leaves it as it is)",
@@ -262,15 +292,33 @@ impl fmt::Display for LoadWarning {
             Self::CopyLeftOut { column, other, factor } => {
                 write!(f, "{column} is left out: it is {} times {other}", rounded(*factor, 4))
             }
-            Self::ShortStretches { record, count, samples } => {
+            Self::Oversampled { factor, rate_hz, highest_hz } => write!(
+                f,
+                "of {} samples in a second every {factor}{} is kept, behind a low-pass filter that passes up to {} Hz: beyond, the sensors show next to nothing but noise (--decimate 1 keeps all)",
+                rounded(*rate_hz, 6),
+                ordinal_ending(*factor),
+                rounded(*highest_hz, 2)
+            ),
+            Self::ShortStretches { record, count, samples, needed } => {
                 let (noun, verb) =
                     if *count == 1 { ("stretch", "was") } else { ("stretches", "were") };
                 write!(
                     f,
-                    "{count} {noun} of {record} between gaps, {samples} samples in all, {verb} left out: shorter than {SHORTEST} samples"
+                    "{count} {noun} of {record} between gaps, {samples} samples in all, {verb} left out: shorter than {needed} samples"
                 )
             }
         }
+    }
+}
+
+/// `st` of 21st.
+fn ordinal_ending(number: usize) -> &'static str {
+    match (number % 10, number % 100) {
+        (_, 11..=13) => "th",
+        (1, _) => "st",
+        (2, _) => "nd",
+        (3, _) => "rd",
+        _ => "th",
     }
 }
 

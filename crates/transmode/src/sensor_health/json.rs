@@ -31,6 +31,8 @@ struct ReferenceOutput<'a> {
 struct RecordOutput<'a> {
     file: &'a str,
     spans: Vec<Span>,
+    /// Of these missing samples leave too little.
+    spans_not_judged: usize,
     /// `null` without an alarm.
     alarm: Option<Alarm<'a>>,
 }
@@ -124,5 +126,10 @@ fn record<'a>(reference: &'a Reference, watched: &'a Watched) -> RecordOutput<'a
             raised_pairs: raised.filter(|(_, raised)| **raised).map(|(pair, _)| pair).collect(),
         })
     });
-    RecordOutput { file: &watched.name, spans: watched.windows.iter().map(span).collect(), alarm }
+    RecordOutput {
+        file: &watched.name,
+        spans: watched.windows.iter().map(span).collect(),
+        spans_not_judged: watched.not_judged,
+        alarm,
+    }
 }

@@ -118,7 +118,7 @@ impl ModelFile {
     /// Whether the model has in these stretches the very residual that it had where it was fitted.
     pub(super) fn was_fitted_to(&self, link: &Link, stretches: &[Stretch<'_>]) -> bool {
         let (mut squares, mut equations) = (0.0, 0.0);
-        for stretch in stretches {
+        for stretch in stretches.iter().flat_map(monitor::complete) {
             let (Some(input), Some(output)) = (stretch.get(link.input), stretch.get(link.output))
             else {
                 return false;

@@ -12,6 +12,8 @@ pub(super) struct Watched {
     /// The time of the first sample.
     pub(super) start_s: f64,
     pub(super) windows: Vec<Window>,
+    /// Whole windows of which missing samples leave too little.
+    pub(super) not_judged: usize,
     pub(super) diagnosis: Option<Diagnosis>,
 }
 

@@ -95,13 +95,14 @@ pub(super) fn calibrate(
             span * period_s
         )));
     }
-    let (training, calibrating) = halves(&records);
+    let channels: Vec<Vec<Vec<f64>>> = records.iter().map(marked).collect();
+    let whole: Vec<Stretch<'_>> = channels.iter().map(|record| stretch(record)).collect();
+    let (training, calibrating) = halves(&whole);
     let links = if models.is_empty() {
         fit(args, &training, sensors.len()).map_err(fault)?
     } else {
         models.iter().map(|model| model.link(&sensors, period_s)).collect::<Result<Vec<_>, _>>()?
     };
-    let whole: Vec<Stretch<'_>> = records.iter().map(stretch).collect();
     let fitted_to_itself =
         models.iter().zip(&links).any(|(model, link)| model.was_fitted_to(link, &whole));
     let options = Options { window, false_alarms };
@@ -132,6 +133,7 @@ fn fit(args: &MonitorArgs, training: &[Stretch<'_>], sensors: usize) -> Result<V
     let link = |output: usize| {
         let segments = training
             .iter()
+            .flat_map(monitor::complete)
             .map(|stretch| Segment::new(stretch[0], stretch[output]))
             .collect::<Result<Vec<_>, _>>()
             .map_err(|error| error.to_string())?;
@@ -143,15 +145,15 @@ fn fit(args: &MonitorArgs, training: &[Stretch<'_>], sensors: usize) -> Result<V
 }
 
 /// The first and the second half of all samples.
-fn halves(records: &[Record]) -> (Vec<Stretch<'_>>, Vec<Stretch<'_>>) {
-    let mut left = records.iter().map(Record::samples).sum::<usize>() / 2;
+fn halves<'a>(records: &[Stretch<'a>]) -> (Vec<Stretch<'a>>, Vec<Stretch<'a>>) {
+    let samples = |record: &Stretch<'_>| record.first().map_or(0, |channel| channel.len());
+    let mut left = records.iter().map(samples).sum::<usize>() / 2;
     let (mut first, mut second) = (Vec::new(), Vec::new());
     for record in records {
-        let whole = stretch(record);
-        let at = left.min(record.samples());
+        let at = left.min(samples(record));
         left -= at;
         let (early, late): (Stretch<'_>, Stretch<'_>) =
-            whole.into_iter().map(|values| values.split_at(at)).unzip();
+            record.iter().map(|values| values.split_at(at)).unzip();
         for (part, half) in [(early, &mut first), (late, &mut second)] {
             if part.first().is_some_and(|values| !values.is_empty()) {
                 half.push(part);
@@ -161,9 +163,13 @@ fn halves(records: &[Record]) -> (Vec<Stretch<'_>>, Vec<Stretch<'_>>) {
     (first, second)
 }
 
-/// The channels of a record.
-pub(super) fn stretch(record: &Record) -> Stretch<'_> {
-    record.channels().iter().map(|channel| channel.values.as_slice()).collect()
+/// The channels of a record, NaN where a sample is missing.
+pub(super) fn marked(record: &Record) -> Vec<Vec<f64>> {
+    record.marked().into_iter().map(|channel| channel.values).collect()
+}
+
+pub(super) fn stretch(channels: &[Vec<f64>]) -> Stretch<'_> {
+    channels.iter().map(Vec::as_slice).collect()
 }
 
 fn names(record: &Record) -> Vec<String> {

@@ -47,16 +47,21 @@ pub(super) fn render(outcome: &MonitorOutcome) -> String {
 
 fn record(reference: &Reference, watched: &Watched) -> String {
     let spans = watched.windows.len();
+    let lost = match watched.not_judged {
+        0 => String::new(),
+        1 => "; 1 more is not judged, too many of its samples are missing".to_owned(),
+        lost => format!("; {lost} more are not judged, too many of their samples are missing"),
+    };
     let alarm = watched.diagnosis.as_ref().and_then(|diagnosis| {
         let window = watched.windows.get(diagnosis.first_alarm)?;
         Some((diagnosis, window, window.alarm()?))
     });
     let Some((diagnosis, window, (kind, test))) = alarm else {
-        return format!("{}: no alarm in {spans} spans", watched.name);
+        return format!("{}: no alarm in {spans} spans{lost}", watched.name);
     };
     let time = |sample| reference.time(watched.start_s, sample);
     let mut text = format!(
-        "{}: alarm at {} s; {} of {spans} spans raise one\n  first: the span from {} s, test of {kind}, T^2 {} above its limit {}\n  change: {}\n  sensor: ",
+        "{}: alarm at {} s; {} of {spans} spans raise one{lost}\n  first: the span from {} s, test of {kind}, T^2 {} above its limit {}\n  change: {}\n  sensor: ",
         watched.name,
         time(window.known_at),
         diagnosis.alarms,

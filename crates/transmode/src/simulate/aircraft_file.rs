@@ -7,6 +7,8 @@ use serde::Deserialize;
 
 use super::SimulateError;
 use crate::CommandError;
+use crate::aircraft_file::{self, InertiaFields};
+use crate::error::in_file;
 
 /// An aircraft and where its numbers come from.
 #[derive(Debug)]
@@ -64,14 +66,6 @@ fn standard_gravity() -> f64 {
     32.174
 }
 
-#[derive(Deserialize)]
-#[serde(remote = "Inertia", deny_unknown_fields)]
-struct InertiaFields {
-    ixx_slug_ft2: f64,
-    izz_slug_ft2: f64,
-    ixz_slug_ft2: f64,
-}
-
 /// The aircraft of that name in the catalog, or the one that the file of that name describes.
 ///
 /// The side force of the rudder is scaled as the source of the numbers has it: as printed for the paper's aircraft, over the speed for a file.
@@ -88,12 +82,9 @@ pub(super) fn find(text: &str) -> Result<ChosenAircraft, CommandError> {
         let (text, known) = (text.to_owned(), known.join(", "));
         return Err(SimulateError::NoSuchAircraft { text, known }.into());
     }
-    let bytes = std::fs::read(file)
-        .map_err(|source| CommandError::Read { file: file.to_owned(), source })?;
-    let bad = |message: String| SimulateError::BadAircraft { file: file.to_owned(), message };
-    let described = read(file, &bytes).map_err(bad)?;
+    let described: Description = aircraft_file::read(file)?;
     let model = LateralModel::new(described.derivatives, described.inertia)
-        .map_err(|error| bad(error.to_string()))?;
+        .map_err(|error| in_file(file, &error))?;
     let source = described.source.unwrap_or_else(|| text.to_owned());
     Ok(ChosenAircraft {
         name: described.name,
@@ -109,26 +100,5 @@ fn scaling_of(entry: &catalog::CatalogEntry) -> SideForceScaling {
         SideForceScaling::AsPrinted
     } else {
         SideForceScaling::Dimensional
-    }
-}
-
-fn read(file: &Path, bytes: &[u8]) -> Result<Description, String> {
-    let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase());
-    match extension.as_deref() {
-        Some("json") => serde_json::from_slice(bytes).map_err(|error| error.to_string()),
-        Some("toml") => {
-            let text =
-                std::str::from_utf8(bytes).map_err(|_| "the file is not UTF-8 text".to_owned())?;
-            toml::from_str(text).map_err(|error| {
-                let line = |span: std::ops::Range<usize>| {
-                    let before = bytes.get(..span.start).unwrap_or_default();
-                    before.iter().filter(|byte| **byte == b'\n').count() + 1
-                };
-                let place =
-                    error.span().map_or_else(String::new, |span| format!("line {}: ", line(span)));
-                format!("{place}{}", error.message())
-            })
-        }
-        _ => Err("an aircraft is described by a file that ends in .toml or .json".to_owned()),
     }
 }

@@ -16,14 +16,6 @@ pub enum SimulateError {
         /// The names in the catalog.
         known: String,
     },
-    /// A file that does not describe an aircraft.
-    #[error("{}: {message}", file.display())]
-    BadAircraft {
-        /// The file.
-        file: PathBuf,
-        /// What is wrong with it, and where.
-        message: String,
-    },
     /// Too short or too long a record.
     #[error(
         "{duration_s} s at a sample every {period_s} s are {samples} samples; {least} to {most} are possible: change --duration or --sample-period"

@@ -39,17 +39,7 @@ impl Motion {
     ];
 
     /// Flights that are reconstructed without what the surfaces did.
-    pub(crate) const RECONSTRUCTED: [Self; 9] = [
-        Self::Clean,
-        Self::Large,
-        Self::Col05,
-        Self::Actlag10,
-        Self::Multistep,
-        Self::Noise,
-        Self::Bias,
-        Self::Quantised,
-        Self::Delay,
-    ];
+    pub(crate) const RECONSTRUCTED: &[Self] = Self::ALL.split_at(9).0;
 
     /// Flights whose surfaces were recorded.
     pub(crate) const RECORDED: [Self; 6] =

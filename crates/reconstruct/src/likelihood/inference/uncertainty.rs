@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use num_complex::Complex;
 
 use crate::likelihood::cost::evaluation::Evaluation;
+use crate::likelihood::inference::near_double::{NearDouble, Root, near_doubles};
 
 /// The covariance of the parameters, on the directions that the data can determine.
 #[derive(Clone, Debug)]
@@ -199,6 +200,9 @@ pub struct Mode {
     /// The 95 % interval of the time constant, from that of re(s): `None` where that contains zero, so that the time constant may be
     /// anything beyond two limits of opposite sign.
     pub time_constant_interval_95: Option<[f64; 2]>,
+    /// Another eigenvalue from which the records hardly tell this one, and what they tell of the two. The standard errors above are then the farthest that the eigenvalue may be off, over
+    /// 1.96, since the slopes that they come from elsewhere mean nothing.
+    pub near_double: Option<NearDouble>,
 }
 
 /// What a relative model error adds to the uncertainty of modes, which no scatter shows: it is the same at all times.
@@ -214,7 +218,7 @@ impl ModelBias {
     /// The standard deviation of an eigenvalue of this size, in rad/s. A model that is wrong by eps at every frequency has modes that are wrong by a
     /// few eps of their size; among simulated flights of six aircraft, twice eps leaves 84 to 89 % of the modes within two standard errors, the
     /// scatter alone 39 to 83 %.
-    fn deviation(self, size: f64) -> f64 {
+    pub(crate) fn deviation(self, size: f64) -> f64 {
         const TIMES: f64 = 2.0;
         TIMES * self.model_error * size.max(self.resolution)
     }
@@ -235,45 +239,64 @@ pub(crate) fn modes(
         DMatrix::zeros(0, 0),
         period,
     )?;
-    Ok(system
-        .modes()?
-        .into_iter()
-        .map(|mode| estimate(mode, n, period, covariance, bias))
+    let modes = system.modes()?;
+    let roots: Vec<Option<Root>> = modes.iter().map(|mode| root(mode, n, period)).collect();
+    let doubles = near_doubles(&roots, covariance, bias);
+    let all = modes.into_iter().zip(&roots).zip(doubles);
+    Ok(all
+        .map(|((mode, root), double)| {
+            estimate(mode, root.as_ref(), double, period, covariance, bias)
+        })
         .collect())
+}
+
+/// The eigenvalue s with its derivatives by the entries of A; `None` where it is defective or has no logarithm.
+fn root(mode: &lti::Mode, n: usize, period: SamplePeriod) -> Option<Root> {
+    let slope = (mode.discrete_eigenvalue? * period.seconds()).inv();
+    let (v, w) = (mode.eigenvector.as_ref()?, mode.left_eigenvector.as_ref()?);
+    let usable = mode.condition.is_some_and(f64::is_finite);
+    // d lambda = w^H dA v with w^H v = 1, and ds = dz / (z T). A defective eigenvalue moves infinitely fast.
+    (usable && slope.is_finite() && mode.eigenvalue.is_finite()).then(|| Root {
+        value: mode.eigenvalue,
+        slopes: DVector::from_fn(n * n, |k, _| w[k % n].conj() * v[k / n] * slope),
+    })
 }
 
 fn estimate(
     mode: lti::Mode,
-    n: usize,
+    root: Option<&Root>,
+    near_double: Option<NearDouble>,
     period: SamplePeriod,
     covariance: &DMatrix<f64>,
     bias: ModelBias,
 ) -> Mode {
     let z = mode.discrete_eigenvalue.unwrap_or_default();
-    // d lambda = w^H dA v with w^H v = 1. A defective eigenvalue moves infinitely fast.
-    let usable = mode.condition.is_some_and(f64::is_finite);
-    let mut discrete = match (&mode.eigenvector, &mode.left_eigenvector) {
-        (Some(v), Some(w)) if usable => {
-            let slopes = DVector::from_fn(n * n, |k, _| w[k % n].conj() * v[k / n]);
+    let s = mode.eigenvalue;
+    let mut discrete = match root {
+        Some(root) => {
+            // dz = z T ds.
+            let slopes = &root.slopes * (z * period.seconds());
             ComplexEstimate::from_slopes(z, &slopes, covariance)
         }
         _ => {
             ComplexEstimate { value: z, covariance: Matrix2::from_diagonal_element(f64::INFINITY) }
         }
     };
-    let s = mode.eigenvalue;
     // dz = z T ds.
     let deviation = bias.deviation(s.norm()) * z.norm() * period.seconds();
     discrete.covariance += Matrix2::from_diagonal_element(deviation * deviation);
     // ds = dz / (z T): a rotation and a stretching of the plane.
     let slope = (z * period.seconds()).inv();
     let turn = Matrix2::new(slope.re, -slope.im, slope.im, slope.re);
-    let finite = usable && slope.is_finite() && s.is_finite();
-    let turned = if finite {
-        turn * discrete.covariance * turn.transpose()
-    } else {
-        Matrix2::from_diagonal_element(f64::INFINITY)
+    let finite = root.is_some();
+    let turned = match (&near_double, finite) {
+        (Some(double), true) => double.variances(),
+        (None, true) => turn * discrete.covariance * turn.transpose(),
+        (_, false) => Matrix2::from_diagonal_element(f64::INFINITY),
     };
+    if let (Some(_), Some(back)) = (&near_double, turn.try_inverse()) {
+        discrete.covariance = back * turned * back.transpose();
+    }
     let continuous = ComplexEstimate { value: s, covariance: turned };
     let along = |slope: Vector2<f64>| {
         if finite { slope.dot(&(turned * slope)).max(0.0).sqrt() } else { f64::INFINITY }
@@ -303,6 +326,7 @@ fn estimate(
             standard_error: real.standard_error / (s.re * s.re),
         },
         time_constant_interval_95: interval,
+        near_double,
         discrete,
         continuous,
         mode,

@@ -110,3 +110,36 @@ fn what_determines_nothing_is_refused() {
     refused(vec![wave.clone()], 40);
     refused(vec![wave], usize::MAX);
 }
+
+#[test]
+fn missing_samples_cost_the_equations_that_they_are_in_and_no_more() {
+    let (whole, truth, _) = planted(40_000, 1);
+    let mut channels = whole.channels().to_vec();
+    for k in (20..40_000).step_by(50) {
+        channels[k / 50 % 2].values[k] = f64::NAN;
+    }
+    let record = Record::with_missing("quiet", whole.period(), channels).unwrap();
+    let fitted = VectorAutoregression::fit(&record, AutoregressionOrder::Fixed(2)).unwrap();
+    // Interpolated samples would move it by 0.02 and more.
+    for (found, truth) in fitted.coefficients().iter().zip(&truth) {
+        assert!(
+            (found[(0, 0)] - truth[(0, 0)]).abs() < 0.012,
+            "{} {}",
+            found[(0, 0)],
+            truth[(0, 0)]
+        );
+        assert!(
+            (found[(1, 1)] - truth[(1, 1)]).abs() < 0.012,
+            "{} {}",
+            found[(1, 1)],
+            truth[(1, 1)]
+        );
+    }
+    // Of these 300 samples every third is missing: no three in a row are there.
+    let mut channels = planted(300, 2).0.channels().to_vec();
+    (0..300).step_by(3).for_each(|k| channels[0].values[k] = f64::NAN);
+    let record = Record::with_missing("quiet", whole.period(), channels).unwrap();
+    let error = VectorAutoregression::fit(&record, AutoregressionOrder::Fixed(2)).unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains("has 0 runs of 3 samples of which none is missing"), "{text}");
+}

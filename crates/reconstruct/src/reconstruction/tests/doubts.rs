@@ -22,17 +22,20 @@ fn good_records_are_not_doubted() {
     }
 }
 
+/// Pole of the excitation's filter and ratio of signal to noise, where one record of two has a second excitation.
+const SECOND_EXCITATION: [(f64, f64); 7] = [
+    (0.0, 1000.0),
+    (0.0, 100.0),
+    (0.0, 30.0),
+    (0.0, 10.0),
+    (0.9, 1000.0),
+    (0.9, 100.0),
+    (0.9, 30.0),
+];
+
 #[test]
 fn a_second_excitation_in_a_record_is_doubted() {
-    for (pole, ratio) in [
-        (0.0, 1000.0),
-        (0.0, 100.0),
-        (0.0, 30.0),
-        (0.0, 10.0),
-        (0.9, 1000.0),
-        (0.9, 100.0),
-        (0.9, 30.0),
-    ] {
+    for (pole, ratio) in SECOND_EXCITATION {
         for moves in [[AILERON, BOTH], [BOTH, RUDDER]] {
             let records = two(moves, 1000, pole, ratio, 7);
             let options = Options { order: OrderChoice::Fixed(4), ..Options::default() };
@@ -52,15 +55,7 @@ fn a_second_excitation_in_a_record_is_doubted() {
 
 #[test]
 fn white_noise_alone_names_the_record_with_a_second_excitation() {
-    for (pole, ratio) in [
-        (0.0, 1000.0),
-        (0.0, 100.0),
-        (0.0, 30.0),
-        (0.0, 10.0),
-        (0.9, 1000.0),
-        (0.9, 100.0),
-        (0.9, 30.0),
-    ] {
+    for (pole, ratio) in SECOND_EXCITATION {
         for (moves, name) in [([AILERON, BOTH], "second"), ([BOTH, RUDDER], "first")] {
             let records = two(moves, 1000, pole, ratio, 7);
             let order = OrderChoice::Fixed(4);

@@ -16,8 +16,10 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let (Some(form), Some(fit)) = (input.form(), input.result.fit()) else {
         return Ok(Vec::new());
     };
-    let mut blocks =
-        vec![Block::section("Form of the equations"), Block::paragraph(format!("The form used: {form}."))];
+    let mut blocks = vec![
+        Block::section("Form of the equations"),
+        Block::paragraph(format!("The form used: {form}.")),
+    ];
     if !fit.derivatives.is_empty() {
         blocks.extend(dimensional(&fit.derivatives, &fit.correlations)?);
     }

@@ -9,6 +9,7 @@ use reconstruct::likelihood::Estimate;
 use report::{Block, Column, Table, format_significant};
 
 use crate::CommandError;
+use crate::identify::near_double;
 use crate::identify::outcome::{FlyingQualitiesCase, Outcome};
 use crate::modes::IdentifiedMode;
 
@@ -41,6 +42,11 @@ pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
         blocks.push(table(input, found, title)?.into());
     }
     blocks.push(Block::paragraph(explanation(input)));
+    let sentences = near_double::sentences(input);
+    if !sentences.is_empty() {
+        blocks.push(Block::paragraph("Nearly double eigenvalues:"));
+        blocks.push(Block::bullets(sentences));
+    }
     Ok(blocks)
 }
 

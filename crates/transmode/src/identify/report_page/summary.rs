@@ -12,8 +12,13 @@ use crate::numbers::counted;
 
 pub(super) fn blocks(input: &Outcome<'_>) -> Result<Vec<Block>, CommandError> {
     let mut blocks = vec![Block::paragraph(sentences(input))];
-    let doubts = doubts::said(input).into_iter().map(|doubt| doubt.text);
-    let all = input.warnings.iter().map(ToString::to_string).chain(doubts);
+    let doubts = doubts::said(input);
+    let causes: Vec<String> = doubts::all_causes(&doubts)
+        .into_iter()
+        .map(|cause| format!("Possible cause: {}", cause.text))
+        .collect();
+    let doubts = doubts.into_iter().map(|doubt| doubt.text);
+    let all = input.warnings.iter().map(ToString::to_string).chain(doubts).chain(causes);
     blocks.extend(all.map(|text| Block::warning(sentence(&text))));
     blocks.push(Block::code("sh", input.command));
     Ok(blocks)

@@ -5,7 +5,7 @@ const GAP: f64 = f64::NAN;
 fn check(gaps: &[(usize, usize)], longest: usize, expected: &[(Range<usize>, usize, usize)]) {
     let a = [1.0, 2.0, 3.0, 4.0, 5.0, GAP, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0];
     let b = [GAP, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, GAP];
-    let found = stretches(0..12, gaps, &[&a, &b], longest);
+    let found = stretches(0..12, gaps, &[&a, &b], longest, 400);
     let found: Vec<_> =
         found.into_iter().map(|s| (s.rows.clone(), s.samples(), s.missing)).collect();
     assert_eq!(found, expected);
@@ -27,7 +27,7 @@ fn short_gaps_stay_inside_and_long_ones_split() {
 #[test]
 fn what_is_missing_is_marked() {
     let values = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
-    let found = stretches(1..8, &[(1, 5), (3, 2)], &[&values], 2);
+    let found = stretches(1..8, &[(1, 5), (3, 2)], &[&values], 2, 400);
     assert_eq!(found.len(), 1);
     let marked = found[0].of(&values);
     assert_eq!(marked.len(), 9);

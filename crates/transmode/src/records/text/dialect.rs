@@ -8,7 +8,7 @@ use super::lines::Row;
 use super::quotes::Quotes;
 
 /// What may separate fields. Where two are equally frequent in the header, the first one does.
-const SEPARATORS: [u8; 3] = [b'\t', b';', b','];
+const SEPARATORS: [u8; 4] = [b'\t', b';', b',', b'|'];
 
 /// Stands for any run of blanks between fields.
 pub(super) const BLANK: u8 = b' ';
@@ -53,7 +53,7 @@ pub(super) fn named_separator(line: &[u8]) -> Option<u8> {
     let (word, rest) = line.split_at_checked(4)?;
     let [separator, rest @ ..] = rest else { return None };
     let is_end = rest.trim_ascii().is_empty() || rest.trim_ascii() == b"\"";
-    let is_separator = matches!(separator, b'\t' | b';' | b',' | b' ');
+    let is_separator = matches!(separator, b'\t' | b';' | b',' | b' ' | b'|');
     (word.eq_ignore_ascii_case(b"sep=") && is_end && is_separator).then_some(*separator)
 }
 
@@ -155,8 +155,39 @@ pub(super) fn number(field: &[u8], separator: u8) -> Option<Number> {
     }
     match text.parse() {
         Ok(value) => Some(Number { value, mark }),
-        Err(_) => is_not_available(field).then_some(Number { value: f64::NAN, mark: None }),
+        Err(_) if is_not_available(field) => Some(Number { value: f64::NAN, mark: None }),
+        Err(_) => {
+            let value = with_fortran_exponent(&text).or_else(|| with_groups(&text, separator))?;
+            Some(Number { value, mark })
+        }
     }
+}
+
+/// A number whose power of ten stands behind a `D`, as Fortran writes those of double precision.
+fn with_fortran_exponent(text: &str) -> Option<f64> {
+    let (mantissa, exponent) = text.split_once(['D', 'd'])?;
+    mantissa.bytes().any(|byte| byte.is_ascii_digit()).then_some(())?;
+    let exponent: i32 = exponent.parse().ok()?;
+    format!("{mantissa}e{exponent}").parse().ok()
+}
+
+/// A number whose digits are in groups of three, `-1,407.57`: only where commas separate, so that it was quoted, and a point or a second group says that no comma is decimal.
+fn with_groups(text: &str, separator: u8) -> Option<f64> {
+    if separator != b',' {
+        return None;
+    }
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+    let mut groups = whole.split(',');
+    let first = groups.next()?;
+    let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let others: Vec<&str> = groups.collect();
+    let is_grouped = (1..=3).contains(&first.len())
+        && is_digits(first)
+        && others.iter().all(|group| group.len() == 3 && is_digits(group))
+        && is_digits(decimals);
+    let is_clear = others.len() > 1 || (others.len() == 1 && digits.contains('.'));
+    (is_grouped && is_clear).then(|| text.replace(',', "").parse().ok())?
 }
 
 /// Whether a field says that there is no number.

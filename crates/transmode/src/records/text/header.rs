@@ -1,5 +1,6 @@
 //! The header of a table of text: names, and units beside or below them.
 
+use crate::records::selection::is_time;
 use crate::records::table::Heading;
 use crate::records::unit;
 
@@ -14,7 +15,10 @@ pub(crate) fn heading(text: &str) -> Heading {
             return Heading { name: name.trim().to_owned(), unit, ..Heading::default() };
         }
     }
-    Heading::named(text)
+    // `time_s`, `t_ms`: of times alone, since `p_s` may be anything.
+    let unit = text.rsplit_once('_').filter(|(name, _)| is_time(name)).map(|(_, unit)| unit);
+    let unit = unit.filter(|unit| matches!(*unit, "s" | "sec" | "ms" | "us" | "ns"));
+    Heading { unit: unit.map(str::to_owned), ..Heading::named(text) }
 }
 
 /// The headings of all columns. What is in brackets is an index and part of the name where it is a

@@ -16,7 +16,7 @@ const MOST_LINES: usize = 4000;
 const FARTHEST_HEADER: usize = 60;
 
 /// What may separate fields. Of equally good ones the first is taken.
-const SEPARATORS: [u8; 4] = [b'\t', b';', b',', BLANK];
+const SEPARATORS: [u8; 5] = [b'\t', b';', b',', b'|', BLANK];
 
 /// A table, and how it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
