@@ -81,7 +81,8 @@ impl Outcome<'_> {
     }
 
     /// The form of the equations, where the lateral ones were fitted as well.
-    pub(super) fn form(&self) -> Option<String> {
+    pub(crate) fn form(&self) -> Option<String> {
+        const SMALLEST: f64 = 1e-12;
         let compared = self.result.compared_form()?;
         let name = |is_lateral: bool, order: usize| {
             if is_lateral {
@@ -91,15 +92,20 @@ impl Outcome<'_> {
             }
         };
         let own = self.result.fit()?.model.a.nrows();
-        let p_value = format_significant(compared.p_value, 2);
+        // The search ends where nothing else can come of it.
+        let p_value = if compared.p_value < SMALLEST {
+            format!("p < {SMALLEST:.0e}")
+        } else {
+            format!("p = {}", format_significant(compared.p_value, 2))
+        };
         Some(if compared.is_lateral {
             format!(
-                "{}; the lateral equations are rejected (p = {p_value}, likelihood-ratio test)",
+                "{}; the lateral equations are rejected ({p_value}, likelihood-ratio test)",
                 name(false, own)
             )
         } else {
             format!(
-                "the lateral equations, tested against {} (p = {p_value}, likelihood-ratio test)",
+                "the lateral equations, tested against {} ({p_value}, likelihood-ratio test)",
                 name(false, compared.order)
             )
         })

@@ -23,6 +23,8 @@ const FINALIST: f64 = 20.0;
 const SAME_OPTIMUM: f64 = 0.02;
 /// The most finalists that are refined on all frequencies.
 const MOST_FINALISTS: usize = 4;
+/// A system with a real mode that changes its sign with every sample has to be e^5 times as likely as one without.
+const ALTERNATING: f64 = 10.0;
 /// A first look ends where the next step would be shorter than this many standard errors, and its levels are as coarse.
 const FIRST_LOOK: f64 = 0.1;
 
@@ -89,6 +91,7 @@ pub(crate) fn search(
     let mut ordered = optima.0.into_iter();
     let Candidate { optimum, start } = ordered.next()?;
     let rivals = ordered
+        .filter(|candidate| !alternates(&candidate.optimum.evaluation.system))
         .map(|candidate| {
             (candidate.optimum.objective - optimum.objective, candidate.optimum.evaluation.system)
         })
@@ -183,7 +186,12 @@ fn on_all_frequencies(
     finals
 }
 
-/// Different local optima, the most likely one, which has the lowest objective, first.
+/// Whether a real mode changes its sign with every sample, which no sampled continuous system does.
+fn alternates(system: &System) -> bool {
+    system.a.complex_eigenvalues().iter().any(|z| z.im == 0.0 && z.re < 0.0)
+}
+
+/// Different local optima, the most likely one, which has the lowest objective, first; one that alternates comes behind others that are nearly as likely.
 #[derive(Default)]
 struct Optima(Vec<Candidate>);
 
@@ -194,7 +202,12 @@ impl Optima {
         if self.0.iter().any(same) {
             return;
         }
-        let place = self.0.partition_point(|other| other.optimum.objective <= objective);
+        let rank = |of: &Candidate| {
+            let system = &of.optimum.evaluation.system;
+            of.optimum.objective + if alternates(system) { ALTERNATING } else { 0.0 }
+        };
+        let own = rank(&candidate);
+        let place = self.0.partition_point(|other| rank(other) <= own);
         self.0.insert(place, candidate);
     }
 }

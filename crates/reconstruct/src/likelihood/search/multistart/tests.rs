@@ -2,8 +2,12 @@ use num_complex::Complex;
 
 use super::*;
 use crate::Offsets;
+use crate::likelihood::cost::parameters::Layout;
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, system};
+use crate::likelihood::search::levenberg_marquardt::SearchStatus;
+use crate::likelihood::search::report::SearchReport;
 use crate::likelihood::{Noise, identify};
+use crate::model::Hold;
 
 /// Starts with the slow mode decaying over a thirtieth of the record.
 #[test]
@@ -38,4 +42,41 @@ fn slow_modes_are_found_on_the_other_side() {
         assert!(moving.rivals.iter().all(|rival| rival.above >= 0.0 && rival.above < RIVAL));
     }
     assert!(higher > 0 && told >= higher, "{higher} {told}");
+}
+
+#[test]
+fn a_mode_that_alternates_has_to_be_far_more_likely() {
+    let mut normal = Normal::new(3);
+    let planted = |last: f64, normal: &mut Normal| {
+        system(&[Complex::new(0.9, 0.2), Complex::new(last, 0.0)], 3, 2, normal)
+    };
+    let disturbance = Disturbance { noise: 0.1, offset: 0.0, trend: 0.0, known: 0.0 };
+    let smooth = planted(0.8, &mut normal);
+    let flights = fly(&smooth, &[80, 80], &disturbance, &mut normal);
+    let layout =
+        Layout { order: 3, sensors: 3, records: 2, feedthrough: Vec::new(), hold: Hold::ZeroOrder };
+    let options = Options::default();
+    let problem =
+        Problem::new(layout.clone(), &flights.records, &flights.levels, &options).unwrap();
+    let mut candidate = |last: f64, objective: f64| {
+        let system = System::scaled(&planted(last, &mut normal), &flights.levels, &layout);
+        let search = SearchReport {
+            status: SearchStatus::Converged,
+            steps: 1,
+            evaluations: 1,
+            level_updates: 0,
+            levels_settled: true,
+            remaining_step: 0.0,
+        };
+        let (evaluation, variances) = (problem.evaluate(system, &[1.0; 3]), vec![1.0; 3]);
+        let direction_replaced = vec![false; 2];
+        let optimum = LocalOptimum { evaluation, variances, objective, search, direction_replaced };
+        Candidate { optimum, start: 0 }
+    };
+    for (gain, first) in [(5.0, 100.0), (15.0, 85.0)] {
+        let mut optima = Optima::default();
+        optima.add(candidate(-0.3, 100.0 - gain));
+        optima.add(candidate(0.8, 100.0));
+        assert_eq!(optima.0[0].optimum.objective, first);
+    }
 }
