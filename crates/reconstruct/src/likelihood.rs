@@ -33,7 +33,7 @@ mod options;
 mod search;
 mod validation;
 
-pub use crate::model::{AutoregressionOrder, NoiseSpectrum, VectorAutoregression};
+pub use crate::model::{AutoregressionOrder, FrequencyBand, NoiseSpectrum, VectorAutoregression};
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use identify::identify;
 pub use inference::doubt::Doubt;
@@ -47,7 +47,7 @@ pub use inference::profile_likelihood::profile_intervals;
 pub(crate) use inference::spectral_fit::spectral_fit;
 pub use inference::spectral_fit::{SensorSpectrum, SpectralFit};
 pub use inference::uncertainty::{ComplexEstimate, Ellipse, Estimate, Mode};
-pub use options::{FrequencyBand, Hold, InputDirections, Noise, Options, SearchOptions};
+pub use options::{Hold, InputDirections, Noise, Options, SearchOptions};
 pub use search::levenberg_marquardt::SearchStatus;
 pub use search::report::{SearchReport, StartReport};
 

@@ -1,7 +1,7 @@
 //! What the likelihood assumes about noise, hold and frequencies, and how far its search goes.
 
 use crate::Measurement;
-use crate::model::NoiseSpectrum;
+use crate::model::{FrequencyBand, NoiseSpectrum};
 
 /// The covariance of what the sensors read beside the response to the unknown excitation.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,15 +51,6 @@ pub enum Hold {
     ZeroOrder,
     /// It moves on straight from sample to sample: close to anything that moves slowly beside the sampling, as a pilot's hand and a gust do.
     FirstOrder,
-}
-
-/// Angular frequencies from `lowest_rad_s` to `highest_rad_s`, both included.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrequencyBand {
-    /// Lower end in rad/s.
-    pub lowest_rad_s: f64,
-    /// Upper end in rad/s.
-    pub highest_rad_s: f64,
 }
 
 /// How to maximise the likelihood.

@@ -1,8 +1,9 @@
 //! What is asked of records, starts and options before anything is computed.
 
 use super::cost::parameters::Layout;
-use super::options::{FrequencyBand, Hold, InputDirections, Noise, Options};
+use super::options::{Hold, InputDirections, Noise, Options};
 use crate::error::{check_each, check_tolerance, option};
+use crate::model::FrequencyBand;
 use crate::model::record::{check_compatible, refuse_constant_channels};
 use crate::{ReconstructError, Record, SharedModel};
 

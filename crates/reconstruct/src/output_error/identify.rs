@@ -1,7 +1,5 @@
 //! From records and their inputs to the most likely system.
 
-use std::f64::consts::PI;
-
 use nalgebra::DVector;
 
 use super::black_box::BlackBox;
@@ -20,13 +18,6 @@ use crate::model::record::{check_compatible, refuse_constant_channels};
 use crate::subspace::OrderChoice;
 use crate::{ReconstructError, Record, Trend};
 
-/// The part of the Nyquist frequency that the choice among forms uses.
-const FIRST_BAND: f64 = 0.25;
-/// The band reaches so many times as high as the fastest mode, but never beyond this part of the Nyquist frequency.
-const TIMES_THE_FASTEST: f64 = 10.0;
-const LARGEST_BAND: f64 = 0.7;
-/// A band that differs from the first one by less than this factor is not worth another fit.
-const SAME_BAND: f64 = 1.25;
 /// Holds whose criteria are closer than this, a likelihood ratio of e^5, cannot be told apart.
 const TELLING: f64 = 10.0;
 /// A more complicated form is worth it where it is e^10 times as likely.
@@ -83,9 +74,8 @@ pub fn identify(
     check_compatible(records)?;
     refuse_constant_channels(records)?;
     check(records, inputs, options)?;
-    let nyquist = PI / records[0].period().seconds();
-    let first = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: FIRST_BAND * nyquist };
-    let band = options.band.unwrap_or(first);
+    let period = records[0].period();
+    let band = options.band.unwrap_or_else(|| FrequencyBand::before_the_modes(period));
     let search = Search::new(records, inputs, options, band, options.trend == Trend::Linear)?;
     let Forms { mut best, mut compared, mut hold_evidence } = search.best_form()?;
     let mut search = search;
@@ -99,14 +89,9 @@ pub fn identify(
         }
     }
     let mut wanted = search;
-    if options.band.is_none() {
-        let highest = fastest(&best, records)
-            .map_or(band.highest_rad_s, |s| (TIMES_THE_FASTEST * s).min(LARGEST_BAND * nyquist));
-        let ratio = highest / band.highest_rad_s;
-        if !(1.0 / SAME_BAND..SAME_BAND).contains(&ratio) {
-            let band = FrequencyBand { highest_rad_s: highest, ..band };
-            wanted = Search::new(records, inputs, options, band, wanted.drift)?;
-        }
+    let further = fastest(&best, records).and_then(|fastest| band.reaching_beyond(fastest, period));
+    if let Some(band) = further.filter(|_| options.band.is_none()) {
+        wanted = Search::new(records, inputs, options, band, wanted.drift)?;
     }
     match wanted.from(&best, FIRST_LOOK) {
         Some(found) => best = found,

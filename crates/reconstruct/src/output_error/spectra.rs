@@ -69,13 +69,7 @@ fn transform(
 ) -> Result<Spectrum, ReconstructError> {
     let samples = record.samples();
     let step = TAU / (samples as f64 * record.period().seconds());
-    // Half a millionth of a step, so that a limit meant to be a frequency of the transform is one.
-    let slack = 5e-7 * step;
-    let inside = |k: &usize| {
-        let frequency = step * *k as f64;
-        frequency >= band.lowest_rad_s - slack && frequency <= band.highest_rad_s + slack
-    };
-    let kept: Vec<usize> = (1..=samples / 2).filter(inside).collect();
+    let kept: Vec<usize> = (1..=samples / 2).filter(|&k| band.holds(k, record)).collect();
     let fft = planner.plan_fft_forward(samples);
     let scale = 1.0 / (samples as f64).sqrt();
     let mut run = |values: &[f64]| {

@@ -7,7 +7,7 @@ use realfft::RealFftPlanner;
 
 use crate::likelihood::cost::missing::MissingSamples;
 use crate::likelihood::cost::noise::smoothed_power;
-use crate::likelihood::options::{FrequencyBand, Noise, Options};
+use crate::likelihood::options::{Noise, Options};
 use crate::model::noise_spectrum::inverse_of_hermitian;
 use crate::model::record::rms;
 use crate::{Offsets, ReconstructError, Record, Trend};
@@ -181,15 +181,7 @@ pub(crate) fn transform(
 fn kept_frequencies(record: &Record, options: &Options) -> Vec<usize> {
     let samples = record.samples();
     let first = usize::from(options.measurement.offsets == Offsets::Free);
-    let step = TAU / (samples as f64 * record.period().seconds());
-    let inside = |k: &usize| {
-        options.band.is_none_or(|FrequencyBand { lowest_rad_s, highest_rad_s }| {
-            let frequency = step * (*k) as f64;
-            // Half a millionth of a step, so that a limit meant to be a frequency of the transform is one.
-            let slack = 5e-7 * step;
-            frequency >= lowest_rad_s - slack && frequency <= highest_rad_s + slack
-        })
-    };
+    let inside = |k: &usize| options.band.is_none_or(|band| band.holds(*k, record));
     (first..=samples / 2).filter(inside).collect()
 }
 

@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
+use crate::likelihood::FrequencyBand;
 use crate::likelihood::cost::noise::sensor_units;
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, given, system};
 use crate::{Channel, Measurement};
