@@ -11,6 +11,7 @@
 //! | `frequency_block.rs`, `simd.rs` | everything at eight frequencies |
 //! | `sums.rs`, `accumulate.rs` | the sums over frequencies |
 //! | `missing.rs` | missing samples as unknowns, eliminated exactly |
+//! | `inverse_factor.rs` | unknowns eliminated from a Gram matrix, within what it determines |
 //! | `evaluation.rs` | cost, gradient and Gram matrix of all records; t_j eliminated |
 
 pub(crate) mod accumulate;
@@ -18,6 +19,7 @@ pub(crate) mod evaluation;
 pub(crate) mod feedback;
 pub(crate) mod first_order_hold;
 mod frequency_block;
+pub(crate) mod inverse_factor;
 pub(crate) mod missing;
 pub(crate) mod noise;
 pub(crate) mod parameters;

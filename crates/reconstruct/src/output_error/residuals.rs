@@ -16,6 +16,7 @@ use super::cells::Matrices;
 use super::disturbance::Weighting;
 use super::spectra::Spectrum;
 use crate::likelihood::cost::accumulate::{Scalars, accumulate};
+use crate::likelihood::cost::inverse_factor::inverse_factor;
 use crate::likelihood::cost::record_system::RecordSystem;
 use crate::likelihood::cost::resolvent::Resolvent;
 use crate::likelihood::cost::spectrum::{Entry, RecordSpectrum};
@@ -76,7 +77,7 @@ pub(super) fn sums(
     };
     let first = accumulated(&signals.system(matrices, &nothing), &record)?;
     let own = signals.nuisance_cells();
-    let factor = inverse_factor(&first.gram_of(&own));
+    let factor = inverse_factor(&first.gram_of(&own), RANK_TOLERANCE)?;
     let right = DVector::from_iterator(own.len(), own.iter().map(|&cell| first.descent(cell)));
     let best = factor.tr_mul(&(&factor * right));
     let nuisances = Nuisances {
@@ -376,26 +377,6 @@ fn before(z: Complex<f64>, samples: usize) -> Complex<f64> {
 /// What a lag of so many seconds does to a spectrum.
 fn turn(frequency: f64, lag: f64) -> Complex<f64> {
     if lag == 0.0 { Complex::new(1.0, 0.0) } else { Complex::from_polar(1.0, -frequency * lag) }
-}
-
-/// F with F' F the inverse of a Gram matrix, on the directions that it knows.
-fn inverse_factor(gram: &DMatrix<f64>) -> DMatrix<f64> {
-    let size = gram.nrows();
-    let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 0.0 });
-    let unit = DMatrix::from_fn(size, size, |i, k| gram[(i, k)] * scale[i] * scale[k]);
-    if !unit.iter().all(|entry| entry.is_finite()) {
-        return DMatrix::zeros(0, size);
-    }
-    let eigen = unit.symmetric_eigen();
-    let largest = eigen.eigenvalues.max();
-    let rows: Vec<_> = (0..size)
-        .filter(|&k| eigen.eigenvalues[k] > RANK_TOLERANCE * largest)
-        .map(|k| {
-            let vector = eigen.eigenvectors.column(k).component_mul(&scale);
-            vector.transpose() / eigen.eigenvalues[k].sqrt()
-        })
-        .collect();
-    if rows.is_empty() { DMatrix::zeros(0, size) } else { DMatrix::from_rows(&rows) }
 }
 
 #[cfg(test)]

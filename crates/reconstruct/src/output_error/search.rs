@@ -7,6 +7,7 @@ use super::disturbance::Weighting;
 use super::parametrisation::Parametrisation;
 use super::residuals::{Nuisances, RecordSums, residuals, sums};
 use super::spectra::Spectrum;
+use crate::likelihood::cost::inverse_factor::inverse_factor;
 
 /// All records at one set of parameters.
 #[derive(Clone, Debug)]
@@ -26,22 +27,8 @@ impl Evaluation {
     /// The inverse of the Gauss-Newton matrix on the directions that the records determine, and the step that it makes of the descent.
     pub(super) fn newton(&self) -> Option<(DVector<f64>, DMatrix<f64>)> {
         const RANK_TOLERANCE: f64 = 1e-11;
-        let gram = &self.gram;
-        let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 0.0 });
-        let size = gram.nrows();
-        let unit = DMatrix::from_fn(size, size, |i, k| gram[(i, k)] * scale[i] * scale[k]);
-        if !unit.iter().all(|entry| entry.is_finite()) {
-            return None;
-        }
-        let eigen = unit.symmetric_eigen();
-        let largest = eigen.eigenvalues.max();
-        let mut inverse = DMatrix::zeros(size, size);
-        for (k, &value) in eigen.eigenvalues.iter().enumerate() {
-            if value > RANK_TOLERANCE * largest {
-                let vector = eigen.eigenvectors.column(k).component_mul(&scale);
-                inverse += &vector * vector.transpose() / value;
-            }
-        }
+        let factor = inverse_factor(&self.gram, RANK_TOLERANCE)?;
+        let inverse = factor.tr_mul(&factor);
         Some((&inverse * &self.descent, inverse))
     }
 }
