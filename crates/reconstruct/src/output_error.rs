@@ -18,7 +18,7 @@
 //! |---|---|
 //! | `spectra.rs` | what do sensors and inputs hold at each frequency? |
 //! | `parametrisation.rs`, `black_box.rs`, `lateral.rs`, `cells.rs` | which matrices may be, and what is free in them? |
-//! | `residuals.rs` | what do matrices leave unexplained, and how does that change with them? |
+//! | `residuals.rs`, `known_signals.rs` | what do matrices leave unexplained, and how does that change with them? |
 //! | `disturbance.rs`, `model_error.rs` | what is the disturbance? |
 //! | `observer.rs`, `regression.rs` | where does the search start? |
 //! | `search.rs`, `candidate.rs`, `identify.rs` | how is it searched, and which form is used? |
@@ -34,6 +34,7 @@ mod disturbance;
 mod doubt;
 mod fit;
 mod identify;
+mod known_signals;
 mod lag_test;
 mod lateral;
 mod model_error;

@@ -3,6 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `spectrum.rs` | records to the frequency domain; offsets, trends, bands, known inputs |
+//! | `fourier.rs` | the transform behind it, of any signal |
 //! | `noise.rs` | variances of the noise: units, starts, floors; the power that a model error is a part of |
 //! | `parameters.rs` | the unknowns, and where each of them stands in the vector of parameters |
 //! | `first_order_hold.rs` | d_j of an excitation that moves between samples |
@@ -18,6 +19,7 @@ pub(crate) mod accumulate;
 pub(crate) mod evaluation;
 pub(crate) mod feedback;
 pub(crate) mod first_order_hold;
+pub(crate) mod fourier;
 mod frequency_block;
 pub(crate) mod inverse_factor;
 pub(crate) mod missing;

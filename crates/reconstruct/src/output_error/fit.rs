@@ -47,7 +47,7 @@ pub struct Compared {
 pub struct RecordFit {
     /// The frequencies in rad/s.
     pub frequencies_rad_s: Vec<f64>,
-    /// The transform of each sensor, N^(-1/2) sum y(i) z^-i, m x F.
+    /// The transform of each sensor, N^(-1/2) sum y(i) z^-i, m x F; the most likely values in place of missing samples.
     pub measured: DMatrix<Complex<f64>>,
     /// What the model leaves of it.
     pub residuals: DMatrix<Complex<f64>>,
@@ -142,12 +142,14 @@ pub(super) fn conclude(
     let lags = lags(found, &covariance, sizes);
     let model = StateSpace::<Discrete>::new(matrices.a, matrices.b, matrices.c, matrices.d, period)
         .map_err(|error| failed(error.to_string()))?;
-    let records = residuals.iter().zip(spectra).map(|(left, spectrum)| RecordFit {
+    let readings = found.readings(spectra);
+    let all = residuals.into_iter().zip(readings).zip(spectra);
+    let records = all.map(|((residuals, measured), spectrum)| RecordFit {
         frequencies_rad_s: spectrum.frequencies.clone(),
-        measured: spectrum.y.clone(),
-        explained: explained(left, &spectrum.y),
-        coherence: coherence(&spectrum.y, &spectrum.u).0,
-        residuals: left.clone(),
+        explained: explained(&residuals, &measured),
+        coherence: coherence(&measured, &spectrum.u).0,
+        measured,
+        residuals,
     });
     let mut fit = Fit {
         model,

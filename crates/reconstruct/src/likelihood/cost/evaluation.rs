@@ -129,7 +129,7 @@ impl Problem {
         };
         match &spectrum.missing {
             None => sum(spectrum),
-            Some(missing) => missing.sums(spectrum, &record_system, scalars, sum),
+            Some(missing) => missing.sums(spectrum, &record_system, scalars, None, sum),
         }
     }
 
