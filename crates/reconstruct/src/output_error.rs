@@ -21,7 +21,8 @@
 //! | `residuals.rs`, `known_signals.rs` | what do matrices leave unexplained, and how does that change with them? |
 //! | `disturbance.rs`, `model_error.rs` | what is the disturbance? |
 //! | `observer.rs`, `regression.rs` | where does the search start? |
-//! | `search.rs`, `candidate.rs`, `identify.rs` | how is it searched, and which form is used? |
+//! | `search.rs`, `candidate.rs`, `forms.rs`, `identify.rs` | how is it searched, and which form is used? |
+//! | `explained.rs` | how much of what a sensor reads does it explain? |
 //! | `coherence.rs`, `lag_test.rs` | is something tied to the inputs that the model does not have? |
 //! | `simulation.rs` | what would sensors read under these inputs? |
 //! | `fit.rs`, `doubt.rs` | what came out, how certain is it, and what is there to doubt? |
@@ -32,7 +33,9 @@ mod cells;
 mod coherence;
 mod disturbance;
 mod doubt;
+mod explained;
 mod fit;
+mod forms;
 mod identify;
 mod known_signals;
 mod lag_test;

@@ -8,7 +8,8 @@ use super::candidate::Candidate;
 use super::cells::Sizes;
 use super::coherence::coherence;
 use super::doubt::{Doubt, doubts};
-use super::identify::hold_of;
+use super::explained::explained;
+use super::forms::hold_of;
 use super::lateral::{LateralEquations, NAMES};
 use super::model_error::model_error;
 use super::options::{Lag, RecordedInputs};
@@ -237,11 +238,4 @@ fn lags(
         sensors.map(|(sensor, lag)| of(lag, sizes.sensor_lag(sensor))).collect(),
         inputs.map(|(input, lag)| of(lag, sizes.input_lag(input))).collect(),
     )
-}
-
-fn explained(left: &DMatrix<Complex<f64>>, measured: &DMatrix<Complex<f64>>) -> Vec<f64> {
-    let power = |row: usize, of: &DMatrix<Complex<f64>>| {
-        of.row(row).iter().map(Complex::norm_sqr).sum::<f64>()
-    };
-    (0..left.nrows()).map(|row| 1.0 - power(row, left) / power(row, measured)).collect()
 }
