@@ -35,7 +35,9 @@ mod options;
 mod search;
 mod validation;
 
-pub use crate::model::{AutoregressionOrder, Hold, NoiseSpectrum, VectorAutoregression};
+pub use crate::model::{
+    AutoregressionOrder, FrequencyBand, Hold, NoiseSpectrum, VectorAutoregression,
+};
 pub use bootstrap::{Bootstrap, BootstrapMode, bootstrap};
 pub use identify::identify;
 pub use inference::derivatives::Derivative;
@@ -53,7 +55,7 @@ pub use inference::spectral_fit::{SensorSpectrum, SpectralFit};
 pub use inference::uncertainty::{ComplexEstimate, Ellipse, Estimate, Mode};
 pub(crate) use lateral::identify_lateral_unless_rejected;
 pub use lateral::{Condition, ConditionTest, condition_test, identify_lateral, lateral_test};
-pub use options::{FrequencyBand, InputDirections, Noise, Options, SearchOptions};
+pub use options::{InputDirections, Noise, Options, SearchOptions};
 pub use search::levenberg_marquardt::SearchStatus;
 pub use search::report::{SearchReport, StartReport};
 

@@ -18,10 +18,11 @@
 //! |---|---|
 //! | `spectra.rs` | what do sensors and inputs hold at each frequency? |
 //! | `parametrisation.rs`, `black_box.rs`, `lateral.rs`, `cells.rs` | which matrices may be, and what is free in them? |
-//! | `residuals.rs` | what do matrices leave unexplained, and how does that change with them? |
+//! | `residuals.rs`, `known_signals.rs` | what do matrices leave unexplained, and how does that change with them? |
 //! | `disturbance.rs`, `model_error.rs` | what is the disturbance? |
 //! | `observer.rs`, `regression.rs` | where does the search start? |
-//! | `search.rs`, `candidate.rs`, `identify.rs` | how is it searched, and which form is used? |
+//! | `search.rs`, `candidate.rs`, `forms.rs`, `identify.rs` | how is it searched, and which form is used? |
+//! | `explained.rs` | how much of what a sensor reads does it explain? |
 //! | `coherence.rs`, `lag_test.rs` | is something tied to the inputs that the model does not have? |
 //! | `simulation.rs` | what would sensors read under these inputs? |
 //! | `fit.rs`, `doubt.rs` | what came out, how certain is it, and what is there to doubt? |
@@ -32,8 +33,11 @@ mod cells;
 mod coherence;
 mod disturbance;
 mod doubt;
+mod explained;
 mod fit;
+mod forms;
 mod identify;
+mod known_signals;
 mod lag_test;
 mod model_error;
 mod observer;

@@ -1,7 +1,7 @@
 //! What the likelihood assumes about noise, hold and frequencies, and how far its search goes.
 
 use crate::Measurement;
-use crate::model::{Hold, NoiseSpectrum};
+use crate::model::{FrequencyBand, Hold, NoiseSpectrum};
 
 /// The covariance of what the sensors read beside the response to the unknown excitation.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,15 +41,6 @@ pub enum InputDirections {
     Reestimated,
     /// As the start has them.
     AsStarted,
-}
-
-/// Angular frequencies from `lowest_rad_s` to `highest_rad_s`, both included.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrequencyBand {
-    /// Lower end in rad/s.
-    pub lowest_rad_s: f64,
-    /// Upper end in rad/s.
-    pub highest_rad_s: f64,
 }
 
 /// How to maximise the likelihood.

@@ -1,10 +1,10 @@
 //! What is asked of records, starts and options before anything is computed.
 
 use super::cost::parameters::Layout;
-use super::options::{FrequencyBand, InputDirections, Noise, Options};
+use super::options::{InputDirections, Noise, Options};
 use crate::error::{check_each, check_tolerance, option};
-use crate::model::Hold;
 use crate::model::record::{check_compatible, refuse_constant_channels};
+use crate::model::{FrequencyBand, Hold};
 use crate::{ReconstructError, Record, SharedModel};
 
 /// Checks that everything fits together, and says how many unknowns there are.

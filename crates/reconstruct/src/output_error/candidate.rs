@@ -126,6 +126,11 @@ impl Candidate {
         Problem { parametrisation: &self.parametrisation, spectra }.residuals(&self.evaluation)
     }
 
+    /// What the sensors of each record read, m x F, missing samples at their most likely values.
+    pub(super) fn readings(&self, spectra: &[Spectrum]) -> Vec<DMatrix<Complex<f64>>> {
+        Problem { parametrisation: &self.parametrisation, spectra }.readings(&self.evaluation)
+    }
+
     /// The matrices as fitted.
     pub(super) fn matrices(&self) -> Option<Matrices> {
         self.parametrisation.matrices(&self.evaluation.parameters)

@@ -5,7 +5,8 @@ use std::fmt;
 
 use super::candidate::Candidate;
 use super::coherence::tied_and_unexplained;
-use super::fit::{Context, Fit, RecordFit};
+use super::explained::explained_where_it_responds;
+use super::fit::{Context, Fit};
 use super::lag_test::lags_left;
 use super::parametrisation::Form;
 use super::spectra::Spectrum;
@@ -148,36 +149,6 @@ Self::Unexplained { record, sensor, explained } => write!(
     }
 }
 
-/// The part of each sensor's power that the model explains, for the records in which inputs move, at the frequencies that hold nearly all of its response: noise
-/// beyond them says nothing about the inputs.
-fn explained_where_it_responds(fit: &Fit, context: &Context<'_>) -> Vec<(usize, Vec<f64>)> {
-    /// Of the power of the response.
-    const NEARLY_ALL: f64 = 0.95;
-    let moves = |record: usize| context.spectra[record].u.iter().any(|u| u.norm_sqr() > 0.0);
-    let of_record = |(record, own): (usize, &RecordFit)| {
-        let part = |sensor: usize| {
-            let (measured, left) = (own.measured.row(sensor), own.residuals.row(sensor));
-            let response: Vec<f64> =
-                measured.iter().zip(left.iter()).map(|(y, e)| (y - e).norm_sqr()).collect();
-            let all: f64 = response.iter().sum();
-            let mut sum = 0.0;
-            let within = response.iter().take_while(|power| {
-                let before = sum;
-                sum += **power;
-                before < NEARLY_ALL * all
-            });
-            let count = within.count();
-            let power = |of: nalgebra::DVector<f64>| of.rows(0, count).sum();
-            let squares = |of: &[f64]| nalgebra::DVector::from_column_slice(of);
-            let measured: Vec<f64> = measured.iter().map(|y| y.norm_sqr()).collect();
-            let left: Vec<f64> = left.iter().map(|e| e.norm_sqr()).collect();
-            1.0 - power(squares(&left)) / power(squares(&measured)).max(f64::MIN_POSITIVE)
-        };
-        (record, (0..own.measured.nrows()).map(part).collect())
-    };
-    fit.records.iter().enumerate().filter(|(record, _)| moves(*record)).map(of_record).collect()
-}
-
 pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     let name = |record: usize, sensor: usize| {
@@ -190,7 +161,7 @@ pub(super) fn doubts(fit: &Fit, found: &Candidate, context: &Context<'_>) -> Vec
     {
         doubts.push(Doubt::StructureContradicted { order: other.order, evidence: -other.above });
     }
-    let parts = explained_where_it_responds(fit, context);
+    let parts = explained_where_it_responds(&fit.records, context.spectra);
     let sensors = context.records[0].channels().len();
     for sensor in 0..sensors {
         let all = parts.iter().map(|(record, of_sensors)| (*record, of_sensors[sensor]));

@@ -8,7 +8,8 @@ use super::candidate::Candidate;
 use super::cells::Sizes;
 use super::coherence::coherence;
 use super::doubt::{Doubt, doubts};
-use super::identify::hold_of;
+use super::explained::explained;
+use super::forms::hold_of;
 use super::model_error::model_error;
 use super::options::{Lag, RecordedInputs};
 use super::parametrisation::Form;
@@ -38,7 +39,7 @@ pub struct Compared {
 pub struct RecordFit {
     /// The frequencies in rad/s.
     pub frequencies_rad_s: Vec<f64>,
-    /// The transform of each sensor, N^(-1/2) sum y(i) z^-i, m x F.
+    /// The transform of each sensor, N^(-1/2) sum y(i) z^-i, m x F; the most likely values in place of missing samples.
     pub measured: DMatrix<Complex<f64>>,
     /// What the model leaves of it.
     pub residuals: DMatrix<Complex<f64>>,
@@ -133,12 +134,14 @@ pub(super) fn conclude(
     let lags = lags(found, &covariance, sizes);
     let model = StateSpace::<Discrete>::new(matrices.a, matrices.b, matrices.c, matrices.d, period)
         .map_err(|error| failed(error.to_string()))?;
-    let records = residuals.iter().zip(spectra).map(|(left, spectrum)| RecordFit {
+    let readings = found.readings(spectra);
+    let all = residuals.into_iter().zip(readings).zip(spectra);
+    let records = all.map(|((residuals, measured), spectrum)| RecordFit {
         frequencies_rad_s: spectrum.frequencies.clone(),
-        measured: spectrum.y.clone(),
-        explained: explained(left, &spectrum.y),
-        coherence: coherence(&spectrum.y, &spectrum.u).0,
-        residuals: left.clone(),
+        explained: explained(&residuals, &measured),
+        coherence: coherence(&measured, &spectrum.u).0,
+        measured,
+        residuals,
     });
     let mut fit = Fit {
         model,
@@ -211,11 +214,4 @@ fn lags(
         sensors.map(|(sensor, lag)| of(lag, sizes.sensor_lag(sensor))).collect(),
         inputs.map(|(input, lag)| of(lag, sizes.input_lag(input))).collect(),
     )
-}
-
-fn explained(left: &DMatrix<Complex<f64>>, measured: &DMatrix<Complex<f64>>) -> Vec<f64> {
-    let power = |row: usize, of: &DMatrix<Complex<f64>>| {
-        of.row(row).iter().map(Complex::norm_sqr).sum::<f64>()
-    };
-    (0..left.nrows()).map(|row| 1.0 - power(row, left) / power(row, measured)).collect()
 }

@@ -5,8 +5,10 @@ use num_complex::Complex;
 
 use super::disturbance::Weighting;
 use super::parametrisation::Parametrisation;
-use super::residuals::{Nuisances, RecordSums, residuals, sums};
+use super::residuals::{Nuisances, RecordSums, missing, readings, residuals, sums};
 use super::spectra::Spectrum;
+use crate::likelihood::cost::inverse_factor::inverse_factor;
+use crate::likelihood::cost::missing::Unknowns;
 
 /// All records at one set of parameters.
 #[derive(Clone, Debug)]
@@ -26,22 +28,8 @@ impl Evaluation {
     /// The inverse of the Gauss-Newton matrix on the directions that the records determine, and the step that it makes of the descent.
     pub(super) fn newton(&self) -> Option<(DVector<f64>, DMatrix<f64>)> {
         const RANK_TOLERANCE: f64 = 1e-11;
-        let gram = &self.gram;
-        let scale = gram.diagonal().map(|entry| if entry > 0.0 { 1.0 / entry.sqrt() } else { 0.0 });
-        let size = gram.nrows();
-        let unit = DMatrix::from_fn(size, size, |i, k| gram[(i, k)] * scale[i] * scale[k]);
-        if !unit.iter().all(|entry| entry.is_finite()) {
-            return None;
-        }
-        let eigen = unit.symmetric_eigen();
-        let largest = eigen.eigenvalues.max();
-        let mut inverse = DMatrix::zeros(size, size);
-        for (k, &value) in eigen.eigenvalues.iter().enumerate() {
-            if value > RANK_TOLERANCE * largest {
-                let vector = eigen.eigenvectors.column(k).component_mul(&scale);
-                inverse += &vector * vector.transpose() / value;
-            }
-        }
+        let factor = inverse_factor(&self.gram, RANK_TOLERANCE)?;
+        let inverse = factor.tr_mul(&factor);
         Some((&inverse * &self.descent, inverse))
     }
 }
@@ -61,10 +49,11 @@ pub(super) struct Problem<'a> {
 
 impl Problem<'_> {
     /// `None` where the parameters make no system, or something is not finite.
-    pub(super) fn evaluate(
+    fn evaluate(
         &self,
         parameters: &DVector<f64>,
         weightings: &[Weighting],
+        unknowns: &[Option<Unknowns>],
     ) -> Option<Evaluation> {
         let matrices = self.parametrisation.matrices(parameters)?;
         let count = matrices.sizes().count();
@@ -72,14 +61,15 @@ impl Problem<'_> {
         let mut descent = DVector::zeros(count);
         let (mut cost, mut nuisances, mut determined) = (0.0, Vec::new(), 0);
         let free_lags = self.parametrisation.free_lags();
-        for (spectrum, weighting) in self.spectra.iter().zip(weightings) {
+        let records = self.spectra.iter().zip(weightings).zip(unknowns);
+        for ((spectrum, weighting), unknowns) in records {
             let RecordSums {
                 cost: own,
                 gram: own_gram,
                 descent: own_descent,
                 nuisances: left,
                 determined: known,
-            } = sums(&matrices, spectrum, weighting, &free_lags)?;
+            } = sums(&matrices, spectrum, weighting, &free_lags, unknowns.as_ref())?;
             cost += own;
             gram += own_gram;
             descent += own_descent;
@@ -114,6 +104,28 @@ impl Problem<'_> {
         records.map(|(spectrum, own)| residuals(&matrices, spectrum, own)).collect()
     }
 
+    /// What the sensors of each record read, m x F, missing samples at their most likely values.
+    pub(super) fn readings(&self, evaluation: &Evaluation) -> Vec<DMatrix<Complex<f64>>> {
+        let Some(matrices) = self.parametrisation.matrices(&evaluation.parameters) else {
+            return Vec::new();
+        };
+        let records = self.spectra.iter().zip(&evaluation.nuisances);
+        records.map(|(spectrum, own)| readings(&matrices, spectrum, own)).collect()
+    }
+
+    /// Of each record.
+    fn unknowns(
+        &self,
+        parameters: &DVector<f64>,
+        weightings: &[Weighting],
+    ) -> Option<Vec<Option<Unknowns>>> {
+        let matrices = self.parametrisation.matrices(parameters)?;
+        let free_lags = self.parametrisation.free_lags();
+        let records = self.spectra.iter().zip(weightings);
+        let of_record = |(spectrum, weighting)| missing(&matrices, spectrum, weighting, &free_lags);
+        Some(records.map(of_record).collect())
+    }
+
     /// The lowest cost near these parameters; ends where the next step would lower it by less than `tolerance`.
     pub(super) fn minimise(
         &self,
@@ -121,7 +133,8 @@ impl Problem<'_> {
         weightings: &[Weighting],
         tolerance: f64,
     ) -> Option<Evaluation> {
-        let mut here = self.evaluate(start, weightings)?;
+        let unknowns = self.unknowns(start, weightings)?;
+        let mut here = self.evaluate(start, weightings, &unknowns)?;
         let mut damping = FIRST_DAMPING;
         for _ in 0..MOST_STEPS {
             let scale = here.gram.diagonal().map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 1.0 });
@@ -145,7 +158,7 @@ impl Problem<'_> {
                     return Some(here);
                 }
                 let next = &here.parameters + scaled.component_mul(&scale);
-                match self.evaluate(&next, weightings) {
+                match self.evaluate(&next, weightings, &unknowns) {
                     Some(trial) if trial.cost < here.cost => {
                         let ratio = (here.cost - trial.cost) / predicted;
                         damping *= if ratio > 0.75 { 0.1 } else { 1.0 };

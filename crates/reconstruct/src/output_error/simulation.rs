@@ -150,8 +150,8 @@ fn one(record: &Record, signals: &[Vec<f64>], model: &InputModel) -> Simulation 
     let sizes: Vec<f64> = record.channels().iter().map(|channel| spread(&channel.values)).collect();
     for (sensor, channel) in record.channels().iter().enumerate() {
         let weight = 1.0 / (sizes[sensor] * sizes[sensor]).max(f64::MIN_POSITIVE);
-        for (k, value) in channel.values.iter().enumerate() {
-            let row = column(sensor, k);
+        for k in present(record, sensor) {
+            let (value, row) = (channel.values[k], column(sensor, k));
             right += &row * (weight * (value - forced[sensor][k]));
             gram.ger(weight, &row, &row, 1.0);
         }
@@ -167,11 +167,19 @@ fn one(record: &Record, signals: &[Vec<f64>], model: &InputModel) -> Simulation 
             (0..samples).map(|k| forced[sensor][k] + column(sensor, k).dot(&best)).collect()
         })
         .collect();
-    let fits = record.channels().iter().zip(&sensors).zip(&sizes).map(|((read, found), size)| {
-        let squares = read.values.iter().zip(found).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
-        1.0 - (squares / samples as f64).sqrt() / size.max(f64::MIN_POSITIVE)
+    let fits = record.channels().iter().zip(&sensors).zip(&sizes).enumerate();
+    let fits = fits.map(|(sensor, ((read, found), size))| {
+        let all = present(record, sensor).map(|k| (read.values[k] - found[k]).powi(2));
+        let (squares, count) = all.fold((0.0, 0_usize), |(sum, count), own| (sum + own, count + 1));
+        1.0 - (squares / count.max(1) as f64).sqrt() / size.max(f64::MIN_POSITIVE)
     });
     Simulation { record: record.name().to_owned(), fit: fits.collect(), sensors }
+}
+
+/// The samples of a sensor that are there.
+fn present(record: &Record, sensor: usize) -> impl Iterator<Item = usize> {
+    let missing = record.missing(sensor);
+    (0..record.samples()).filter(|k| missing.binary_search(k).is_err())
 }
 
 /// What each sensor reads from a state on, under inputs.

@@ -8,6 +8,8 @@ use realfft::RealFftPlanner;
 
 use super::options::RecordedInputs;
 use crate::likelihood::FrequencyBand;
+use crate::likelihood::cost::fourier::Fourier;
+use crate::likelihood::cost::missing::MissingSamples;
 use crate::likelihood::cost::noise::smoothed_power;
 use crate::{ReconstructError, Record};
 
@@ -30,6 +32,8 @@ pub(super) struct Spectrum {
     pub(super) power: DMatrix<f64>,
     /// The transform of a ramp, where sensors drift; empty where they do not.
     pub(super) ramp: Vec<Complex<f64>>,
+    /// Samples that are missing; `y` is that of interpolated values in their places.
+    pub(super) missing: Option<MissingSamples>,
 }
 
 impl Spectrum {
@@ -39,9 +43,12 @@ impl Spectrum {
         (1_usize..).take_while(fits).last().unwrap_or(0)
     }
 
-    /// How many real numbers the sensors have at these frequencies.
+    /// How many real numbers the sensors have at these frequencies; of samples that are missing they lack their share.
     pub(super) fn real_numbers(&self) -> f64 {
-        self.weight.iter().sum::<f64>() * self.y.nrows() as f64
+        let numbers = self.weight.iter().sum::<f64>() * self.y.nrows() as f64;
+        self.missing
+            .as_ref()
+            .map_or(numbers, |missing| numbers * missing.part_present(self.y.nrows()))
     }
 }
 
@@ -68,58 +75,30 @@ fn transform(
     planner: &mut RealFftPlanner<f64>,
 ) -> Result<Spectrum, ReconstructError> {
     let samples = record.samples();
-    let step = TAU / (samples as f64 * record.period().seconds());
-    // Half a millionth of a step, so that a limit meant to be a frequency of the transform is one.
-    let slack = 5e-7 * step;
-    let inside = |k: &usize| {
-        let frequency = step * *k as f64;
-        frequency >= band.lowest_rad_s - slack && frequency <= band.highest_rad_s + slack
-    };
-    let kept: Vec<usize> = (1..=samples / 2).filter(inside).collect();
-    let fft = planner.plan_fft_forward(samples);
-    let scale = 1.0 / (samples as f64).sqrt();
-    let mut run = |values: &[f64]| {
+    let kept = (1..=samples / 2).filter(|&k| band.holds(k, record)).collect();
+    let fourier = Fourier::new(samples, kept, planner);
+    let run = |values: &Vec<f64>| {
         let mean = values.iter().sum::<f64>() / samples as f64;
-        let mut input: Vec<f64> = values.iter().map(|value| value - mean).collect();
-        let mut output = fft.make_output_vec();
-        fft.process(&mut input, &mut output).map_err(|error| ReconstructError::Step {
-            step: "Fourier transform",
-            message: error.to_string(),
-        })?;
-        Ok(output.into_iter().map(|value| value * scale).collect())
+        fourier.of(values.iter().map(|value| value - mean))
     };
-    let all = |signals: Vec<&[f64]>, run: &mut dyn FnMut(&[f64]) -> Result<Vec<_>, _>| {
-        signals.into_iter().map(run).collect::<Result<Vec<Vec<Complex<f64>>>, ReconstructError>>()
-    };
-    let channels = record.channels().iter().map(|channel| &channel.values[..]).collect();
-    let sensors = all(channels, &mut run)?;
-    let inputs = all(inputs.iter().map(Vec::as_slice).collect(), &mut run)?;
+    let channels = record.channels().iter().map(|channel| &channel.values);
+    let sensors = channels.map(run).collect::<Result<Vec<_>, _>>()?;
+    let inputs = inputs.iter().map(run).collect::<Result<Vec<_>, _>>()?;
+    let kept = &fourier.kept;
     let at = |signals: &[Vec<Complex<f64>>]| {
         DMatrix::from_fn(signals.len(), kept.len(), |row, place| signals[row][kept[place]])
     };
     let powers: Vec<_> = sensors.iter().map(|y| smoothed_power(y, true)).collect();
-    let root = |&k: &usize| {
-        if 2 * k == samples {
-            Complex::new(-1.0, 0.0)
-        } else {
-            Complex::from_polar(1.0, TAU * k as f64 / samples as f64)
-        }
-    };
-    let z: Vec<_> = kept.iter().map(root).collect();
-    let ramp = if drift {
-        // Of sqrt(12) (i - (N - 1)/2) / N, a ramp without mean and of about unit variance.
-        z.iter().map(|z| Complex::from(12.0_f64.sqrt() * scale) / (z.conj() - 1.0)).collect()
-    } else {
-        Vec::new()
-    };
+    let step = TAU / (samples as f64 * record.period().seconds());
     Ok(Spectrum {
         period: record.period().seconds(),
         frequencies: kept.iter().map(|&k| step * k as f64).collect(),
-        weight: kept.iter().map(|&k| if 2 * k == samples { 1.0 } else { 2.0 }).collect(),
+        z: fourier.z(),
+        weight: fourier.weight(),
         y: at(&sensors),
         u: at(&inputs),
         power: DMatrix::from_fn(sensors.len(), kept.len(), |row, place| powers[row][kept[place]]),
-        z,
-        ramp,
+        ramp: if drift { fourier.ramp() } else { Vec::new() },
+        missing: MissingSamples::new(record, kept.clone(), planner),
     })
 }

@@ -1,6 +1,7 @@
 //! Planted aircraft whose inputs are recorded, beside noise, gusts and lags.
 
 mod bad_input;
+mod gaps;
 mod planted;
 
 use std::f64::consts::TAU;

@@ -7,8 +7,6 @@
 mod orders;
 mod starts;
 
-use std::f64::consts::PI;
-
 use orders::{OrderSearch, Orders};
 use starts::{Subspaces, subspace_options};
 
@@ -26,13 +24,6 @@ pub(super) struct WithModelError {
     pub(super) compared: Vec<ComparedOrder>,
 }
 
-/// The part of the Nyquist frequency that the choice of the order uses.
-const FIRST_BAND: f64 = 0.25;
-/// The band reaches so many times as high as the fastest mode, but never beyond this part of the Nyquist frequency.
-const TIMES_THE_FASTEST: f64 = 10.0;
-const LARGEST_BAND: f64 = 0.7;
-/// A band that differs from the first one by less than this factor is not worth another fit.
-const SAME_BAND: f64 = 1.25;
 /// A mode whose standard error is below this part of its size says how fast the system is.
 const KNOWN: f64 = 0.1;
 
@@ -42,8 +33,8 @@ pub(super) fn fitted(
     options: &Options,
     stage: &FirstStage,
 ) -> Result<WithModelError, ReconstructError> {
-    let nyquist = PI / records[0].period().seconds();
-    let first_band = FrequencyBand { lowest_rad_s: 0.0, highest_rad_s: FIRST_BAND * nyquist };
+    let period = records[0].period();
+    let first_band = FrequencyBand::before_the_modes(period);
     let second = likelihood::Options {
         noise: Noise::ModelError { first_guess: None },
         measurement: options.measurement.clone(),
@@ -56,13 +47,7 @@ pub(super) fn fitted(
     let subspaces = Subspaces::new(records, &all, options.threads)?;
     let (found, second) = with_drift_as_needed(records, options, &subspaces, &stage.order, second)?;
     let (start, compared) = found.into_best();
-    let chosen = || {
-        let fastest = fastest(&start)?;
-        let highest = (TIMES_THE_FASTEST * fastest).min(LARGEST_BAND * nyquist);
-        let ratio = highest / first_band.highest_rad_s;
-        let same = (1.0 / SAME_BAND..SAME_BAND).contains(&ratio);
-        Some(if same { first_band } else { FrequencyBand { highest_rad_s: highest, ..first_band } })
-    };
+    let chosen = || first_band.reaching_beyond(fastest(&start)?, period);
     let band = Some(options.band.or_else(chosen).unwrap_or(first_band));
     let second = likelihood::Options { band, ..second };
     let fit = likelihood::identify(records, std::slice::from_ref(&start.model), &second)?;

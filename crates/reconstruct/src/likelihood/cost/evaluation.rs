@@ -6,6 +6,7 @@ use realfft::RealFftPlanner;
 
 use super::accumulate::{SHARE, Scalars, accumulate};
 use super::first_order_hold::FirstOrder;
+use super::inverse_factor::inverse_factor;
 use super::lateral::LateralParameters;
 use super::noise::floors;
 use super::parameters::{Layout, System};
@@ -135,7 +136,7 @@ impl Problem {
         };
         match &spectrum.missing {
             None => sum(spectrum),
-            Some(missing) => missing.sums(spectrum, &record_system, scalars, sum),
+            Some(missing) => missing.sums(spectrum, &record_system, scalars, None, sum),
         }
     }
 
@@ -299,30 +300,8 @@ impl Problem {
         let gram =
             DMatrix::from_fn(size, size, |i, k| sums.gram(self.cell(own[i]), self.cell(own[k])));
         let reduced = basis.transpose() * gram * &basis;
-        let scale = DVector::from_iterator(
-            reduced.nrows(),
-            reduced.diagonal().iter().map(|&d| if d > 0.0 { 1.0 / d.sqrt() } else { 0.0 }),
-        );
-        let unit = DMatrix::from_fn(reduced.nrows(), reduced.ncols(), |i, k| {
-            reduced[(i, k)] * scale[i] * scale[k]
-        });
-        // F with F' F the inverse. The inverse itself, where an eigenvalue is small, would lose what is small in the other parameters.
-        let mut factor = DMatrix::zeros(0, size);
-        if unit.nrows() > 0 {
-            let eigen = unit.symmetric_eigen();
-            let largest = eigen.eigenvalues.max();
-            let known = (0..eigen.eigenvalues.len())
-                .filter(|&k| eigen.eigenvalues[k] > RANK_TOLERANCE * largest);
-            let rows: Vec<_> = known
-                .map(|k| {
-                    let vector = eigen.eigenvectors.column(k).component_mul(&scale);
-                    (&basis * vector).transpose() / eigen.eigenvalues[k].sqrt()
-                })
-                .collect();
-            if !rows.is_empty() {
-                factor = DMatrix::from_rows(&rows);
-            }
-        }
+        let factor = inverse_factor(&reduced, RANK_TOLERANCE)
+            .map_or_else(|| DMatrix::zeros(0, size), |factor| factor * basis.transpose());
         let descent =
             DVector::from_iterator(size, own.iter().map(|&cell| sums.descent(self.cell(cell))));
         let mixed =

@@ -8,6 +8,8 @@
 //! - K^T G^-1 K comes off the Gram matrix, K the products of the impulses with the parameters' signals;
 //! - ln det G joins the logarithms of the determinants, and trace G^-1 F^H Phi E_l Phi F the score of noise level l, E_l what it adds to S.
 //!
+//! A sensor may have been turned at each frequency, as one is that was late; its impulses turn with it, and with them Phi between sensors.
+//!
 //! The impulses are powers of z. So each entry of G, of K and of F^H Phi e is a sample of an inverse Fourier transform, and their effort hardly depends
 //! on how many samples are missing.
 
@@ -31,9 +33,11 @@ pub(crate) struct MissingSamples {
     /// Samples of the record, N.
     samples: usize,
     /// k of each frequency that is used.
-    pub(crate) frequencies: Vec<usize>,
+    frequencies: Vec<usize>,
     /// Sensor and sample of each unknown.
     pub(crate) cells: Vec<(usize, usize)>,
+    /// What each sensor was multiplied by at each frequency, numbers of size 1, m per frequency; empty where no sensor was turned.
+    turns: Vec<Complex<f64>>,
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
 }
@@ -75,31 +79,59 @@ impl MissingSamples {
             samples,
             frequencies,
             cells,
+            turns: Vec::new(),
             forward: planner.plan_fft_forward(samples),
             inverse: planner.plan_fft_inverse(samples),
         })
     }
 
-    /// The sums of the likelihood of the samples that are there; `sum` are those of a record of which all are.
+    /// The part of the samples of so many sensors that is there.
+    pub(crate) fn part_present(&self, sensors: usize) -> f64 {
+        1.0 - self.cells.len() as f64 / (self.samples * sensors) as f64
+    }
+
+    /// The same of sensors that were multiplied by these numbers, m per frequency.
+    pub(crate) fn turned(self, turns: Vec<Complex<f64>>) -> Self {
+        Self { turns, ..self }
+    }
+
+    /// The same without the first frequency.
+    pub(crate) fn without_first_frequency(&mut self, sensors: usize) {
+        self.frequencies.remove(0);
+        self.turns.drain(..sensors.min(self.turns.len()));
+    }
+
+    /// What a sensor was multiplied by at a frequency; `place` is k * m + s.
+    fn turn(&self, place: usize) -> Complex<f64> {
+        self.turns.get(place).copied().unwrap_or(Complex::ONE)
+    }
+
+    /// The sums of the likelihood of the samples that are there; `sum` are those of a record of which all are. `known` is G where that stays what it is:
+    /// without an unknown excitation it does not depend on the system.
     pub(crate) fn sums(
         &self,
         record: &RecordSpectrum,
         system: &RecordSystem,
         scalars: Scalars,
+        known: Option<&Unknowns>,
         sum: impl Fn(&RecordSpectrum) -> Sums,
     ) -> Sums {
-        let Some((filled, unknowns)) = self.filled(record, system) else {
+        let none = || {
             let mut none = sum(record);
             none.cost = f64::NAN;
-            return none;
+            none
         };
+        let Some(at) = at_frequencies(record, system) else { return none() };
+        let own = if known.is_none() { self.unknowns(record, &at.projector) } else { None };
+        let Some(unknowns) = known.or(own.as_ref()) else { return none() };
+        let Some(filled) = self.filled_with(record, &at, unknowns) else { return none() };
         let mut sums = sum(&filled);
         if scalars == Scalars::NoisePart {
             return sums;
         }
         let Some(at) = at_frequencies(&filled, system) else { return sums };
         sums.log_determinant += unknowns.log_determinant;
-        for (score, lost) in sums.score.iter_mut().zip(self.lost_scores(record, &at, &unknowns)) {
+        for (score, lost) in sums.score.iter_mut().zip(self.lost_scores(record, &at, unknowns)) {
             *score += lost;
         }
         let cross = self.cross(record, system, &at);
@@ -107,18 +139,32 @@ impl MissingSamples {
         sums
     }
 
-    /// The record with the most likely values in place of the missing samples, and what stands behind them. `None` where there are none: a system that has
-    /// no Schur form, or samples that the frequencies do not tell apart.
+    /// The record with the most likely values in place of the missing samples. `None` where there are none: a system that has no Schur form, or samples that
+    /// the frequencies do not tell apart.
     pub(crate) fn filled(
         &self,
         record: &RecordSpectrum,
         system: &RecordSystem,
-    ) -> Option<(RecordSpectrum, Unknowns)> {
+        known: Option<&Unknowns>,
+    ) -> Option<RecordSpectrum> {
         let at = at_frequencies(record, system)?;
-        let unknowns = self.unknowns(record, &at)?;
-        let m = system.d.len();
+        match known {
+            Some(unknowns) => self.filled_with(record, &at, unknowns),
+            None => self.filled_with(record, &at, &self.unknowns(record, &at.projector)?),
+        }
+    }
+
+    fn filled_with(
+        &self,
+        record: &RecordSpectrum,
+        at: &AtFrequencies,
+        unknowns: &Unknowns,
+    ) -> Option<RecordSpectrum> {
+        let m = record.offset_variance.len();
+        let residual =
+            |k: usize, s: usize| at.weighted_residual[k * m + s] * self.turn(k * m + s).conj();
         let descents: Vec<Vec<f64>> =
-            (0..m).map(|s| self.to_samples(record, |k| at.weighted_residual[k * m + s])).collect();
+            (0..m).map(|s| self.to_samples(record, |k| residual(k, s))).collect();
         let root = (self.samples as f64).sqrt();
         let descent = self.cells.iter().map(|&(sensor, sample)| descents[sensor][sample] / root);
         let best = unknowns.factor.solve(&DVector::from_iterator(self.cells.len(), descent));
@@ -134,16 +180,20 @@ impl MissingSamples {
             // Both buffers have the lengths that the plan asks for.
             self.forward.process(&mut impulses, &mut transformed).ok()?;
             for (k, &frequency) in self.frequencies.iter().enumerate() {
-                filled.y[k * m + sensor] -= transformed[frequency];
+                filled.y[k * m + sensor] -= transformed[frequency] * self.turn(k * m + sensor);
             }
         }
-        Some((filled, unknowns))
+        Some(filled)
     }
 
-    /// G, factored.
-    fn unknowns(&self, record: &RecordSpectrum, at: &AtFrequencies) -> Option<Unknowns> {
+    /// G, factored, of Phi, m x m at each frequency.
+    pub(crate) fn unknowns(
+        &self,
+        record: &RecordSpectrum,
+        projector: &[Complex<f64>],
+    ) -> Option<Unknowns> {
         let m = record.offset_variance.len();
-        let gram = self.toeplitz(record, |k, s, l| at.projector[(k * m + s) * m + l], m);
+        let gram = self.toeplitz(record, |k, s, l| projector[(k * m + s) * m + l], m);
         let largest = gram.diagonal().max();
         // In a narrow band neighbours may not be told apart: then they stay near where they are.
         [0.0, 1e-13, 1e-11, 1e-9].iter().find_map(|share| {
@@ -200,7 +250,7 @@ impl MissingSamples {
                         } else {
                             at.projector[(k * m + s) * m + i - n]
                         };
-                        projected * at.scalars[k * count + a]
+                        projected * at.scalars[k * count + a] * self.turn(k * m + s).conj()
                     });
                     for (row, &(sensor, sample)) in self.cells.iter().enumerate() {
                         if sensor == s {
@@ -220,8 +270,12 @@ impl MissingSamples {
         matrix: impl Fn(usize, usize, usize) -> Complex<f64>,
         sensors: usize,
     ) -> DMatrix<f64> {
+        let turned = |k: usize, s: usize, l: usize| {
+            let turn = self.turn(k * sensors + s).conj() * self.turn(k * sensors + l);
+            matrix(k, s, l) * turn
+        };
         let lags: Vec<Vec<f64>> = (0..sensors * sensors)
-            .map(|pair| self.to_samples(record, |k| matrix(k, pair / sensors, pair % sensors)))
+            .map(|pair| self.to_samples(record, |k| turned(k, pair / sensors, pair % sensors)))
             .collect();
         DMatrix::from_fn(self.cells.len(), self.cells.len(), |row, column| {
             let ((s, j), (l, i)) = (self.cells[row], self.cells[column]);
@@ -255,6 +309,7 @@ impl MissingSamples {
 }
 
 /// The unknowns' Gram matrix G.
+#[derive(Debug)]
 pub(crate) struct Unknowns {
     factor: Cholesky<f64, Dyn>,
     /// ln det G.

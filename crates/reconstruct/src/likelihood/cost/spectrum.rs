@@ -1,13 +1,12 @@
 //! A record in the frequency domain: what the sums of the likelihood run over.
 
-use std::f64::consts::TAU;
-
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use crate::likelihood::cost::fourier::Fourier;
 use crate::likelihood::cost::missing::MissingSamples;
 use crate::likelihood::cost::noise::smoothed_power;
-use crate::likelihood::options::{FrequencyBand, Noise, Options};
+use crate::likelihood::options::{Noise, Options};
 use crate::model::noise_spectrum::inverse_of_hermitian;
 use crate::model::record::rms;
 use crate::{Offsets, ReconstructError, Record, Trend};
@@ -69,7 +68,7 @@ impl RecordSpectrum {
                 power.drain(..m);
             }
             if let Some(missing) = &mut rest.missing {
-                missing.frequencies.remove(0);
+                missing.without_first_frequency(m);
             }
             rest.starts_at_zero = false;
         }
@@ -104,21 +103,8 @@ pub(crate) fn transform(
     planner: &mut RealFftPlanner<f64>,
 ) -> Result<RecordSpectrum, ReconstructError> {
     let samples = record.samples();
-    let kept = kept_frequencies(record, options);
-    let fft = planner.plan_fft_forward(samples);
-    let run = |values: &[f64], unit: f64| {
-        let mut input: Vec<f64> = values.iter().map(|value| value / unit).collect();
-        let mut output = fft.make_output_vec();
-        let scale = 1.0 / (samples as f64).sqrt();
-        // Both buffers come from the plan, so that it cannot refuse them.
-        match fft.process(&mut input, &mut output) {
-            Ok(()) => Ok(output.into_iter().map(|value| value * scale).collect::<Vec<_>>()),
-            Err(error) => Err(ReconstructError::Step {
-                step: "Fourier transform",
-                message: error.to_string(),
-            }),
-        }
-    };
+    let fourier = Fourier::new(samples, kept_frequencies(record, options), planner);
+    let run = |values: &[f64], unit: f64| fourier.of(values.iter().map(|value| value / unit));
     let channels = record
         .channels()
         .iter()
@@ -127,21 +113,19 @@ pub(crate) fn transform(
         .collect::<Result<Vec<_>, _>>()?;
     let known = options.measurement.known_inputs.get(index).map_or(&[][..], Vec::as_slice);
     let inputs = known.iter().map(|input| run(input, rms(input))).collect::<Result<Vec<_>, _>>()?;
-    let z: Vec<_> = kept.iter().map(|&k| unit_root(k, samples)).collect();
-    let weight: Vec<f64> =
-        kept.iter().map(|&k| if k == 0 || 2 * k == samples { 1.0 } else { 2.0 }).collect();
+    let (z, weight, kept) = (fourier.z(), fourier.weight(), &fourier.kept);
     let mut entries = vec![Entry::State];
     entries.extend(inputs.iter().map(|_| Entry::StateAndFeedthrough));
+    let mut ramp = Vec::new();
     if options.measurement.trend == Trend::Linear {
         entries.push(Entry::Sensors);
+        ramp = fourier.ramp();
     }
     let mut factors = Vec::with_capacity(entries.len() * kept.len());
-    for (&k, &z) in kept.iter().zip(&z) {
+    for (place, (&k, &z)) in kept.iter().zip(&z).enumerate() {
         factors.push(z);
         factors.extend(inputs.iter().map(|input| input[k]));
-        if options.measurement.trend == Trend::Linear {
-            factors.push(ramp(k, z, samples));
-        }
+        factors.extend(ramp.get(place));
     }
     let y = kept.iter().flat_map(|&k| channels.iter().map(move |channel| channel[k])).collect();
     let starts_at_zero = kept.first() == Some(&0);
@@ -155,7 +139,7 @@ pub(crate) fn transform(
     };
     let precision = match &options.noise {
         Noise::Spectra(spectra) => {
-            Some(precisions(&spectra[index], &kept, units, &offset_variance)?)
+            Some(precisions(&spectra[index], kept, units, &offset_variance)?)
         }
         _ => None,
     };
@@ -174,39 +158,15 @@ pub(crate) fn transform(
         power,
         offset_variance,
         starts_at_zero,
-        missing: MissingSamples::new(record, kept, planner),
+        missing: MissingSamples::new(record, kept.clone(), planner),
     })
 }
 
 fn kept_frequencies(record: &Record, options: &Options) -> Vec<usize> {
     let samples = record.samples();
     let first = usize::from(options.measurement.offsets == Offsets::Free);
-    let step = TAU / (samples as f64 * record.period().seconds());
-    let inside = |k: &usize| {
-        options.band.is_none_or(|FrequencyBand { lowest_rad_s, highest_rad_s }| {
-            let frequency = step * (*k) as f64;
-            // Half a millionth of a step, so that a limit meant to be a frequency of the transform is one.
-            let slack = 5e-7 * step;
-            frequency >= lowest_rad_s - slack && frequency <= highest_rad_s + slack
-        })
-    };
+    let inside = |k: &usize| options.band.is_none_or(|band| band.holds(*k, record));
     (first..=samples / 2).filter(inside).collect()
-}
-
-/// exp(2 pi j k / N), exact at 0 and at half the sampling frequency.
-fn unit_root(k: usize, samples: usize) -> Complex<f64> {
-    if 2 * k == samples {
-        return Complex::new(-1.0, 0.0);
-    }
-    Complex::from_polar(1.0, TAU * k as f64 / samples as f64)
-}
-
-/// The transform of sqrt(12) (i - (N - 1)/2) / N, a ramp without mean and of about unit variance.
-fn ramp(k: usize, z: Complex<f64>, samples: usize) -> Complex<f64> {
-    if k == 0 {
-        return Complex::new(0.0, 0.0);
-    }
-    Complex::new(12.0_f64.sqrt() / (samples as f64).sqrt(), 0.0) / (z.conj() - 1.0)
 }
 
 fn precisions(

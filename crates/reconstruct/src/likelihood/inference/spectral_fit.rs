@@ -187,7 +187,7 @@ pub(super) fn fill_missing(
             spread.push(own);
         }
         let system = RecordSystem::new(&system, 0, &spread, variances);
-        let Some((filled, _)) = missing.filled(spectrum, &system) else { return Ok(()) };
+        let Some(filled) = missing.filled(spectrum, &system, None) else { return Ok(()) };
         spectrum.y = filled.y;
     }
     Ok(())

@@ -1,10 +1,11 @@
 use nalgebra::DVector;
 use num_complex::Complex;
 
+use crate::likelihood::FrequencyBand;
 use crate::likelihood::cost::evaluation::{Evaluation, Problem};
 use crate::likelihood::cost::parameters::{Layout, System};
 use crate::likelihood::fixtures::{Disturbance, Normal, fly, given, system};
-use crate::likelihood::options::{FrequencyBand, Noise, Options};
+use crate::likelihood::options::{Noise, Options};
 use crate::model::Hold;
 use crate::{Record, SharedModel};
 
