@@ -30,29 +30,20 @@ pub(crate) struct Filled {
 
 /// Straight lines between the samples that are there; held at the ends.
 pub(crate) fn fill(channel: &[f64]) -> Filled {
-    let missing: Vec<usize> = (0..channel.len()).filter(|&k| channel[k].is_nan()).collect();
+    let (there, missing): (Vec<usize>, Vec<usize>) =
+        (0..channel.len()).partition(|&k| !channel[k].is_nan());
     let mut values = channel.to_vec();
-    let mut before: Option<usize> = None;
-    let mut k = 0;
-    while k < values.len() {
-        if !values[k].is_nan() {
-            before = Some(k);
-            k += 1;
-            continue;
-        }
-        let after = (k..values.len()).find(|&next| !channel[next].is_nan());
-        let end = after.unwrap_or(values.len());
-        for hole in k..end {
-            values[hole] = match (before, after) {
-                (Some(left), Some(right)) => {
-                    let part = (hole - left) as f64 / (right - left) as f64;
-                    channel[left] + part * (channel[right] - channel[left])
-                }
-                (Some(edge), None) | (None, Some(edge)) => channel[edge],
-                (None, None) => 0.0,
-            };
-        }
-        k = end;
+    for &hole in &missing {
+        let next = there.partition_point(|&k| k < hole);
+        let before = next.checked_sub(1).map(|index| there[index]);
+        values[hole] = match (before, there.get(next).copied()) {
+            (Some(left), Some(right)) => {
+                let part = (hole - left) as f64 / (right - left) as f64;
+                channel[left] + part * (channel[right] - channel[left])
+            }
+            (Some(edge), None) | (None, Some(edge)) => channel[edge],
+            (None, None) => 0.0,
+        };
     }
     Filled { values, missing }
 }

@@ -93,9 +93,8 @@ fn judge(
     let distance = square.value.norm() / size(&square);
     // The two together are known, and better than each.
     let is_known = 2.0 * size(&mean) < mean.value.norm() && size(&mean) < size(&own);
-    (is_known && distance.is_finite() && distance < APART).then(|| {
-        (distance, NearDouble { partner: partner.value, mean, half_difference_squared: square })
-    })
+    let found = NearDouble { partner: partner.value, mean, half_difference_squared: square };
+    (is_known && distance.is_finite() && distance < APART).then_some((distance, found))
 }
 
 impl NearDouble {
