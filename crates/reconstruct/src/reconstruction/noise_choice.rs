@@ -40,9 +40,7 @@ pub(super) fn fitted(records: &[Record], options: &Options) -> Result<Fitted, Re
         let stage = starts::at_order(records, options, &stage, order)?;
         white = Some(white_noise::fit(records, options, &second, stage)?);
     }
-    // A fit with a model error that did not arrive is no better than one without that did not.
-    let arrived = fit.doubts_of_search().is_empty();
-    if let Some(mut white) = white.filter(|white| !arrived || white_noise::fits(&white.doubts)) {
+    if let Some(mut white) = white.filter(|white| white_noise::fits(&white.doubts)) {
         if !white.stage.order.asked {
             white.doubts.retain(|doubt| !white_noise::is_about_order(doubt));
         }
