@@ -73,10 +73,10 @@ fn a_mode_that_alternates_has_to_be_far_more_likely() {
         let optimum = LocalOptimum { evaluation, variances, objective, search, direction_replaced };
         Candidate { optimum, start: 0 }
     };
-    for (gain, first) in [(5.0, 100.0), (15.0, 85.0)] {
+    for (gain, alternates_first) in [(5.0, false), (15.0, true)] {
         let mut optima = Optima::default();
         optima.add(candidate(-0.3, 100.0 - gain));
         optima.add(candidate(0.8, 100.0));
-        assert_eq!(optima.0[0].optimum.objective, first);
+        assert_eq!(optima.0[0].optimum.objective < 99.0, alternates_first);
     }
 }
